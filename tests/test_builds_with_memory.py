@@ -12,7 +12,7 @@ import pytest
 
 from example_counts import FACTOR
 from fieldspec.command.builds import workers
-from fieldspec.command.builds.build_memory import BuildMemory
+from fieldspec.command.builds.remembered_outputs import BuildMemory
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.verbs.build import build
 from fieldspec.foundation.spreadsheet import Workbook

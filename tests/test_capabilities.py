@@ -11,8 +11,7 @@ import pytest
 from capability_derivation import Key, changed_outputs, is_refused, legal_keys, stored_witnesses
 from fieldspec.command import rules
 from fieldspec.command.pipeline import layouts, load
-from fieldspec.command.rendering.capabilities import COLUMNS, capabilities, page
-from fieldspec.command.rendering.left_out import ROWS
+from fieldspec.command.rendering.capabilities import COLUMNS, ROWS, capabilities, page
 from fieldspec.language.schema.capabilities import CHECK, effects
 from fieldspec.targets import OUTPUTS
 from fieldspec.targets.controllers.capabilities import ADAPTED, CONSTRUCTS, EXACT, REFUSED

@@ -12,7 +12,7 @@ from contextlib import redirect_stdout
 import pytest
 
 from fieldspec.cli import _parser, main
-from fieldspec.command.console.option_types import natural, positive, seconds, whole
+from fieldspec.command.console.device_options import natural, positive, seconds, whole
 from fieldspec.command.console.usage import unknown
 
 

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 
 from fieldspec.command.pipeline import output
-from fieldspec.command.rendering.audit_pages import LINK, pages
+from fieldspec.command.rendering.audit_html import LINK, pages
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.project import read
 from fieldspec.targets.docs.backend import fact_links

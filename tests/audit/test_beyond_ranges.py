@@ -8,7 +8,7 @@ import pytest
 
 import gauge
 from fieldspec.language.behaviour.reading import behaviour_of
-from fieldspec.tools.audit.beyond_ranges import beyond_ranges
+from fieldspec.tools.audit.statements import beyond_ranges
 from simulators import parts_of
 
 WRITABLE = gauge.DEVICE.replace("range: 0..1000,", "range: 0..1000, access: rw,")

@@ -11,9 +11,9 @@ from fieldspec.language.model.operand import Operands
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.tools.audit.manual_lines import index_of
 from fieldspec.tools.audit.print_gaps import empty_cells, labels_elsewhere, without_unit
+from fieldspec.tools.audit.report import tasks
 from fieldspec.tools.audit.section import Section, Subject
 from fieldspec.tools.audit.sources import sources
-from fieldspec.tools.audit.tasks import tasks
 from layouts import SPECS, TEST_SPECS, layout_at, newest
 from spec_files import gadget
 

@@ -18,7 +18,7 @@ from fieldspec.language.model.texts import Example
 from fieldspec.targets.controllers.declarations import declarations
 from fieldspec.targets.controllers.dialects import DIALECTS
 from fieldspec.targets.controllers.layout.fitting import misfit_findings, misfits
-from fieldspec.targets.controllers.layout.images import Images, SpecNaming
+from fieldspec.targets.controllers.layout.images import Images, Naming
 from fieldspec.targets.controllers.layout.memory import MEMORIES, Memory, Placed, placed
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
@@ -44,7 +44,7 @@ PAIRS = [
 
 
 def image(layout: DeviceLayout, record: RecordLayout, memory: Memory, packed: bool = False) -> Placed:
-    images = Images(layout, SpecNaming(), packed)
+    images = Images(layout, Naming(), packed)
     return placed(images.of(record, "record", record.record, ""), memory, images.structs)
 
 

@@ -19,7 +19,7 @@ from rigs import NUMBER, Rig
 from fieldspec.codec.reference import codec
 from fieldspec.targets import OUTPUTS
 from fieldspec.targets.controllers.routines.blocks.ports import FRAMES
-from fieldspec.targets.controllers.statements.expressions import INT, Variable, compared
+from fieldspec.targets.controllers.statements.expressions import INT, Variable
 from layouts import SPECS, TEST_SPECS, layouts, newest
 
 SPEC = """
@@ -214,7 +214,7 @@ def test_a_refusal_counts_where_it_is_that_of_the_request(copies: Copies, refusa
 
 def test_a_comparison_of_a_thing_with_itself_is_refused() -> None:
     with pytest.raises(ValueError, match="is compared with itself"):
-        compared(Variable("iAt", INT), "<>", Variable("iAt", INT))
+        Variable("iAt", INT).compared("<>", Variable("iAt", INT))
 
 
 @pytest.mark.proof(1)

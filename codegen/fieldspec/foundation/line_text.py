@@ -42,3 +42,8 @@ def visible_json(data: object, indent: int | None = None, default: Callable[[obj
         return "\\u0023" if char == "#" else char if char.isprintable() else json.dumps(char)[1:-1]
 
     return _INVISIBLE.sub(escape, text)
+
+
+def plural(number: int, noun: str) -> str:
+    """`1 word`, `2 words`"""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from importlib import import_module
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
@@ -48,12 +48,13 @@ class Output:
 
         `links` lead to pages that the back end does not write. Only a back end with an index of pages takes them.
         """
-        files = cast("Callable[..., Files]", self._backend("files"))
+        files: Callable[..., Files] = self._module().files
         return files(versions, links) if links else files(versions)
 
     def shared(self) -> Files:
-        """The files that belong to no device, by path."""
-        return cast("Callable[[], Files]", self._backend("shared"))()
+        """The files that belong to no device, by path; most outputs have none."""
+        shared: Callable[[], Files] | None = getattr(self._module(), "shared", None)
+        return shared() if shared is not None else {}
 
     def overview(self, paths: Iterable[str], content: Callable[[str], str]) -> dict[str, str]:
         """The files that summarize all devices, by path; most outputs have none.
@@ -68,9 +69,7 @@ class Output:
 
         A back end whose output programs use has a function `usages` beside `files`.
         """
-        usages: Callable[[Sequence[DeviceLayout]], dict[str, VersionUsages]] | None = getattr(
-            self._module(), "usages", None
-        )
+        usages: Callable[..., dict[str, VersionUsages]] | None = getattr(self._module(), "usages", None)
         return usages(versions) if usages is not None else {}
 
     @property
@@ -83,15 +82,10 @@ class Output:
 
         A back end that cannot express every device has a function `refusals` beside `files`.
         """
-        refusals: Callable[[Sequence[DeviceLayout]], list[Diagnostic]] | None = getattr(
-            self._module(), "refusals", None
-        )
+        refusals: Callable[..., list[Diagnostic]] | None = getattr(self._module(), "refusals", None)
         return refusals(versions) if refusals is not None else []
 
-    def _backend(self, function: str) -> object:
-        return getattr(self._module(), function)
-
-    def _module(self) -> object:
+    def _module(self) -> Any:
         return self.backend or import_module(f"fieldspec.targets.{self.name}.backend")
 
 

@@ -15,7 +15,7 @@ from fieldspec.command.files.regular_file import SizeError
 from fieldspec.foundation.spreadsheet import csv_text
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.tools.audit.register_dump import compared
-from fieldspec.tools.evidence.dump_values import add_dump, add_scan
+from fieldspec.tools.evidence.capture_values import add_dump, add_scan
 from fieldspec.tools.evidence.notes import FILE, UnitNote, unit_note
 from fieldspec.tools.evidence.observables import Observables
 from fieldspec.tools.evidence.report import Baseline, BaselineError, baseline, evidence_report

@@ -16,7 +16,7 @@ from fieldspec.foundation.source import Refused
 from fieldspec.language.model.choice import PROJECT_FILE
 
 if TYPE_CHECKING:
-    from fieldspec.command.builds.build_memory import BuildMemory
+    from fieldspec.command.builds.remembered_outputs import BuildMemory
     from fieldspec.command.files.placement import Staging
     from fieldspec.language.diagnostics import Diagnostic
     from fieldspec.tools.audit.manual_lines import ManualIndex

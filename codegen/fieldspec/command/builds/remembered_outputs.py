@@ -7,8 +7,10 @@ from collections.abc import Callable, Sequence
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.observation import is_same_device, read_of_layout
 from fieldspec.command.builds.freshness import Hashes
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import dataclass, field
 from fieldspec.language.model.choice import BlockChoice
+from fieldspec.language.reading.memory import Memory
+from fieldspec.targets.pieces import Pieces
 from fieldspec.targets.usages import Rows
 
 
@@ -79,3 +81,12 @@ class RememberedOutputs:
             _Basis(layout.identity, layout.equal_versions, layout.blocks, read_of_layout(layout)) for layout in layouts
         )
         self._outputs[device, name] = RememberedOutput(request, bases, hashes, spellings)
+
+
+@dataclass(frozen=True, slots=True)
+class BuildMemory:
+    """Parsed files, outputs, and pieces of outputs, for reuse in the next build."""
+
+    reading: Memory = field(default_factory=lambda: Memory(strict=True))
+    outputs: RememberedOutputs = field(default_factory=RememberedOutputs)
+    pieces: Pieces = field(default_factory=Pieces)

@@ -32,7 +32,7 @@ from fieldspec.targets.usages import Spellings, using
 from fieldspec.tools.proofs.running import Outcome, outcome
 
 if TYPE_CHECKING:
-    from fieldspec.command.builds.build_memory import BuildMemory
+    from fieldspec.command.builds.remembered_outputs import BuildMemory
     from fieldspec.tools.audit.manual_lines import ManualIndex
 
 DOCUMENTATION = "docs"
@@ -260,7 +260,7 @@ def task_result(work: Work, task: Task) -> TaskResult:
                 hashes[name] = remembered[name].hashes
                 continue
             if name == DOCUMENTATION and (task.adds or not task.versions):
-                from fieldspec.command.rendering.audit_pages import LINK, pages
+                from fieldspec.command.rendering.audit_html import LINK, pages
                 from fieldspec.targets.docs.backend import fact_links
 
                 files = pipeline.output(name, chosen[name], (LINK,))

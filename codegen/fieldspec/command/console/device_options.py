@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import math
 
-from fieldspec.command.console.option_types import natural, positive, seconds, whole
 from fieldspec.command.console.verb_parsers import DEVICE_HELP, VerbParser
 
 
@@ -128,3 +128,43 @@ def add_mcp(mcp: argparse.ArgumentParser) -> None:
     port_help = "a device to read and its port, as for `live --port`; repeatable"
     mcp.add_argument("--port", metavar="DEVICE=WHERE", action="append", help=port_help)
     mcp.add_argument("--allow-writes", action="store_true", help="also allow writes to these devices")
+
+
+def seconds(text: str) -> float:
+    """A time that may be 0. Raises ArgumentTypeError."""
+    number = _finite_number(text)
+    if number < 0:
+        raise argparse.ArgumentTypeError(f"{text} is less than 0")
+    return number
+
+
+def positive(text: str) -> float:
+    """A number above 0. Raises ArgumentTypeError."""
+    number = _finite_number(text)
+    if number <= 0:
+        raise argparse.ArgumentTypeError(f"{text} is not more than 0")
+    return number
+
+
+def whole(text: str) -> int:
+    """A whole number from 0 on. Raises ArgumentTypeError."""
+    if not (text.isascii() and text.isdecimal()):
+        raise argparse.ArgumentTypeError(f"{text} is not a whole number from 0 on")
+    return int(text)
+
+
+def natural(text: str) -> int:
+    """A whole number from 1 on. Raises ArgumentTypeError."""
+    if not (text.isascii() and text.isdecimal() and int(text)):
+        raise argparse.ArgumentTypeError(f"{text} is not a whole number from 1 on")
+    return int(text)
+
+
+def _finite_number(text: str) -> float:
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise argparse.ArgumentTypeError(f"{text} is not a number")
+    return number

@@ -5,11 +5,12 @@ from __future__ import annotations
 import errno
 import os
 import re
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from fieldspec.command.console.streams import print_error
+from fieldspec.command.console.streams import print_document, print_error
 from fieldspec.command.console.usage import UsageError
 
 BESIDE = ".fieldspec-"
@@ -103,6 +104,18 @@ def write(path: Path, content: bytes, new: bool = False) -> None:
         if new and os.path.lexists(path):
             raise UsageError(f"the file {path} already exists")
         replace(path, content)
+
+
+def write_or_print(content: bytes, form: str, path: str | None) -> None:
+    """Writes a list in a format to a file, or prints it where none is named. Raises UsageError."""
+    if path is not None:
+        write(Path(path), content)
+    elif form != "xlsx":
+        print_document(content.decode("utf-8"))
+    elif sys.stdout.isatty():
+        raise UsageError("a workbook cannot be printed; name a file with --out")
+    else:
+        sys.stdout.buffer.write(content)
 
 
 def require_writable(path: Path) -> None:

@@ -9,6 +9,7 @@ from fieldspec.codec.layout.values import MeaningError, pieces, raw_value
 from fieldspec.command.console.streams import print_error
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.frames.frame_options import number_of
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.model.encoding import is_exact
 from fieldspec.language.model.quantity import count_of
 from fieldspec.language.model.registers import Parameter
@@ -56,9 +57,7 @@ def with_parameter(layout: DeviceLayout, record: RecordLayout, direction: str, t
         raise UsageError(f"{parameter.name} can only be read; no frame is written")
     value = element_value(parameter, index)
     if not carries(carried, value.size):
-        raise UsageError(
-            f"{parameter.name} has {value.size} {'byte' if value.size == 1 else 'bytes'}; use another message"
-        )
+        raise UsageError(f"{parameter.name} has {plural(value.size, 'byte')}; use another message")
     text = whole_count(layout, parameter.name, value, text)
     known = encoded_value(parameter.name, value, raw_value(layout.device, parameter.name, value, text), layout.device)
     for name, content in bytes_of_value(layout.device, carried, value, known).items():

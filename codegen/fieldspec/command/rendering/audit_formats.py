@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Iterator
 from itertools import zip_longest
@@ -13,7 +11,7 @@ from fieldspec.command.rendering.finding_formats import json_text
 from fieldspec.foundation.classes import replace
 from fieldspec.foundation.line_text import visible_json
 from fieldspec.foundation.source import Span
-from fieldspec.foundation.spreadsheet import clean, guarded
+from fieldspec.foundation.spreadsheet import csv_text
 from fieldspec.language.model.fact import Citation
 from fieldspec.tools.audit.section import Cell, Figure, Report, Section, SectionTable
 from fieldspec.tools.lists.workbook_writer import workbook
@@ -80,11 +78,7 @@ def _cell(cell: Cell) -> object:
 
 def as_csv(table: SectionTable) -> bytes:
     """A table as CSV in UTF-8, with a heading, commas and line feeds; spreadsheets take no cell for a formula."""
-    output = io.StringIO()
-    writer = csv.writer(output, lineterminator="\n")
-    writer.writerow(table.columns)
-    writer.writerows([guarded(clean(cell_text(cell))) for cell in row] for row in table.rows)
-    return output.getvalue().encode("utf-8")
+    return csv_text([table.columns, *(list(map(cell_text, row)) for row in table.rows)], "\n").encode("utf-8")
 
 
 def as_xlsx(table: SectionTable) -> bytes:

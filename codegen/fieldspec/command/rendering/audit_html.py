@@ -5,17 +5,25 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
+from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.rendering.audit_formats import SIGNS, cell_text
 from fieldspec.command.rendering.audit_map import Map, maps, states
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.html_text import clean
+from fieldspec.foundation.line_text import plural
 from fieldspec.foundation.source import Span
 from fieldspec.language.diagnostics import Diagnostic, Severity, in_order
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Citation
-from fieldspec.targets.docs.site import SCRIPTS, PagePlace, policy
+from fieldspec.language.reading.device_spec import DeviceSpec
+from fieldspec.targets import PageLink
+from fieldspec.targets.docs.site import SCRIPTS, PagePlace, device_place, policy
 from fieldspec.targets.templates import fill, style_sheet
-from fieldspec.tools.audit.section import Cell, Figure, Report, Section, SectionTable
+from fieldspec.tools.audit.manual_lines import ManualIndex
+from fieldspec.tools.audit.report import report
+from fieldspec.tools.audit.section import Cell, Figure, Report, Section, SectionTable, Subject
+from fieldspec.tools.facts import of_versions
+from fieldspec.tools.proofs.running import Outcome, errata_proofs
 
 BROAD = 8
 """A table with this many columns or more gets column widths, as it would be wider than paper without them."""
@@ -122,7 +130,7 @@ def _section(section: Section, links: Mapping[str, str]) -> _Section:
         section.title,
         section.paragraphs,
         section.figures,
-        _many(section.questions, "question") if section.questions else "",
+        plural(section.questions, "question") if section.questions else "",
         tuple(states(section.spaces)),
         maps(section.spaces),
         *(
@@ -145,7 +153,7 @@ def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Tabl
         f"{section}-{table.name}",
         clean(table.title),
         clean(table.title.partition(". ")[0]),
-        _many(len(table.rows), "row"),
+        plural(len(table.rows), "row"),
         len(table.rows) <= OPEN,
         is_marked,
         columns,
@@ -219,14 +227,10 @@ def _verdict(findings: Sequence[_Finding]) -> _Verdict:
     errors = sum(1 for finding in findings if finding.kind == "bad")
     warnings = len(findings) - errors
     if errors:
-        return _Verdict("bad", f"{_many(errors, 'error')} and {_many(warnings, 'warning')} are open.")
+        return _Verdict("bad", f"{plural(errors, 'error')} and {plural(warnings, 'warning')} are open.")
     if warnings:
-        return _Verdict("warning", f"No error; {_many(warnings, 'warning')} to be examined.")
+        return _Verdict("warning", f"No error; {plural(warnings, 'warning')} to be examined.")
     return _Verdict("good", "No finding in any part of the audit.")
-
-
-def _many(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 def _place(span: Span) -> str:
@@ -263,3 +267,27 @@ def _finding(section: Section, finding: Diagnostic, rows: Mapping[str, str]) -> 
         next((rows[place] for place in places if place in rows), section.name),
         section.title,
     )
+
+
+LINK = PageLink("audit", "audit.html")
+"""The entry of the page in the index of a device's documentation."""
+
+
+def pages(
+    spec: DeviceSpec,
+    layouts: Sequence[DeviceLayout],
+    recorded: ManualIndex | None,
+    links: Mapping[str, str],
+    known: Outcome | None = None,
+) -> dict[str, bytes]:
+    """The page of a device's audit, by its path below the folder of all outputs.
+
+    `layouts` are the layouts of all versions, the oldest first; the audit is of the last one. `recorded` is the index
+    of the manual, where there is one. `links` lead from paths of facts to where they are documented. `known` is the
+    outcome of all checks and proofs of the device, where they have run.
+    """
+    newest = layouts[-1]
+    proofs = known.proofs if known is not None else errata_proofs(spec)
+    subject = Subject(spec, newest, layouts, of_versions(layouts), proofs, recorded, known=known)
+    page = rendered(report(subject), newest.device, links, device_place(clean(newest.device.name)))
+    return {f"docs/{spec.id}/{LINK.file}": page.encode("utf-8")}

@@ -16,11 +16,10 @@ from fieldspec.command.rendering.changes import (
     summary,
     title,
 )
-from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.html_text import clean
 from fieldspec.foundation.line_text import visible_json, visible_text
 from fieldspec.foundation.source import Span
-from fieldspec.language.changes.change import Effect
+from fieldspec.language.changes.change import Change, Effect
 from fieldspec.targets.templates import fill
 
 _TEXT_STYLES = {Effect.WIRE: "red", Effect.SOURCE: "red", Effect.BEHAVIOUR: "yellow", Effect.DOCS: "", None: "dim"}
@@ -114,51 +113,17 @@ def _escape_markdown(text: str) -> str:
     return _MARKDOWN_SPECIAL.sub(lambda match: _MARKDOWN_ENTITIES.get(match[0], "\\" + match[0]), visible_text(text))
 
 
-@dataclass(frozen=True, slots=True)
-class _HtmlRow:
-    rule: str
-    path: str
-    message: str
-    remark: str
-    old: str
-    new: str
-    places: str
-
-
-@dataclass(frozen=True, slots=True)
-class _HtmlTable:
-    kind: str
-    heading: str
-    rows: list[_HtmlRow]
-
-
-@dataclass(frozen=True, slots=True)
-class _HtmlSection:
-    title: str
-    summary: str
-    tables: list[_HtmlTable]
-
-
 def html_page(differences: Sequence[Difference]) -> str:
     """An HTML page without other files. Texts of specs are escaped by the template."""
     sections = [
-        _HtmlSection(
-            clean(title(difference)), summary(difference), [_html_table(group) for group in groups(difference)]
-        )
+        (title(difference), summary(difference), [(group, _html_rows(group)) for group in groups(difference)])
         for difference in differences
     ]
-    return fill("changes.html.j2", title=", ".join(section.title for section in sections), sections=sections)
+    return fill("changes.html.j2", title=", ".join(clean(heading) for heading, _, _ in sections), sections=sections)
 
 
-def _html_table(group: Group) -> _HtmlTable:
-    rows = [
-        _HtmlRow(
-            *map(clean, (change.rule, change.path, change.message, remark(entry), change.old, change.new, places_text))
-        )
-        for entry in group.changes
-        for change, places_text in [(entry.change, places(entry.change))]
-    ]
-    return _HtmlTable(group.effect.value if group.effect else "accepted", group.heading, rows)
+def _html_rows(group: Group) -> list[tuple[Change, str, str]]:
+    return [(entry.change, remark(entry), places(entry.change)) for entry in group.changes]
 
 
 _FORMATS = {"json": json_text, "markdown": markdown_text, "html": html_page}

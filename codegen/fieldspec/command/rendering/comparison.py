@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterator, Sequence
 
 from fieldspec.command.rendering.blocks import Block, Line, Table
-from fieldspec.foundation.spreadsheet import guarded
+from fieldspec.foundation.spreadsheet import Cell, csv_text
 from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL
 from fieldspec.tools.lists.comparison import Compared, Missing
 from fieldspec.tools.lists.listing import Listing
@@ -90,12 +88,10 @@ def as_data(result: Compared, listing: Listing) -> dict[str, object]:
 
 def as_csv(result: Compared) -> str:
     """The comparison as CSV: a row for each agreement, each difference, and each address that only one has."""
-    output = io.StringIO()
-    writer = csv.writer(output, lineterminator="\n")
-    writer.writerow(COLUMNS)
+    rows: list[Sequence[Cell]] = [COLUMNS]
     if result.shifted:
-        writer.writerow(["differs", "", "", "", "offset", 0, result.offset])
-    rows: list[Sequence[str]] = [
+        rows.append(("differs", "", "", "", "offset", 0, result.offset))
+    rows += [
         ("agrees", _address(pair.row.address), str(pair.row.row), pair.item.name, "", "", "")
         for pair in result.agreeing
     ]
@@ -103,8 +99,7 @@ def as_csv(result: Compared) -> str:
     rows += [("only in the list", *cells[:3], "", "", cells[3]) for cells in _extras(result)]
     rows += [("not compared", "", row, cell, reason, "", "") for row, cell, reason in _unreadable(result)]
     rows += [("only in the device", address, "", name, "", "", "") for address, name in _missing_rows(result)]
-    writer.writerows([guarded(cell) for cell in row] for row in rows)
-    return output.getvalue()
+    return csv_text(rows, "\n")
 
 
 def _column(role: str, heading: str) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from fieldspec.command.rendering.blocks import width
-from fieldspec.foundation.line_text import visible_text
+from fieldspec.foundation.line_text import plural, visible_text
 from fieldspec.foundation.source import Span
 from fieldspec.language.diagnostics import Diagnostic, Severity
 
@@ -30,12 +30,8 @@ def rendered(findings: Sequence[Diagnostic], *, coloured: bool = False) -> str:
     paint = _painted if coloured else _unstyled
     blocks = [_block(finding, paint) for finding in findings]
     errors = sum(finding.severity is Severity.ERROR for finding in findings)
-    counts = [_plural(errors, "error"), _plural(len(findings) - errors, "warning")]
-    return "\n".join(blocks) + "\n" + ", ".join(count for count in counts if count) + "\n"
-
-
-def _plural(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}" if number else ""
+    counts = ((errors, "error"), (len(findings) - errors, "warning"))
+    return "\n".join(blocks) + "\n" + ", ".join(plural(*count) for count in counts if count[0]) + "\n"
 
 
 def _unstyled(style: str, text: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from fieldspec.foundation.line_text import plural
 from fieldspec.tools.lists.column_roles import FURTHER, NOTE
 from fieldspec.tools.lists.imported import Imported
 from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER
@@ -25,16 +26,14 @@ def lines(name: str, result: Imported, noted: Sequence[int]) -> Iterator[str]:
     number = sum(entry.kind == MESSAGE for entry in result.registers) or sum(
         len(entry.rows) or 1 for entry in result.registers
     )
-    registers = f"1 {noun}" if number == 1 else f"{number} {noun}s"
-    yield f"{name}: {registers}, addresses read as {result.base}"
+    yield f"{name}: {plural(number, noun)}, addresses read as {result.base}"
     yield from _columns(result)
     total = used + len({refusal.row for refusal in result.refused}) + len(result.skipped)
     share = f"{100 * used // max(total, 1)} %"
     yield f"rows: {used} of {total} used ({share}){_skipped(result.skipped)}"
     if messages := dict.fromkeys(row.message for row in result.rows if row.message):
-        count = "1 message" if len(messages) == 1 else f"{len(messages)} messages"
         reason = "a list has no frames for them; take them from a protocol, or write them"
-        yield f"not used: {count} ({', '.join(messages)}): {reason}"
+        yield f"not used: {plural(len(messages), 'message')} ({', '.join(messages)}): {reason}"
     if noted:
         yield f"rows with cells that are only noted: {len(noted)}; see `notes`"
     yield from _limited([f"not used: {refusal.text()}" for refusal in result.refused])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +13,7 @@ from fieldspec.command.console.streams import print_document, print_line, print_
 from fieldspec.command.console.terminal import print_blocks, print_findings
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files import list_files
-from fieldspec.command.files.storage import write
+from fieldspec.command.files.storage import write, write_or_print
 from fieldspec.command.sources import specs
 from fieldspec.foundation.source import SourceFile
 from fieldspec.language.diagnostics import Diagnostic, has_errors, in_order
@@ -151,10 +150,7 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         audit_report = report(subject)
         findings = tuple(in_order(audit_report.findings()))
-    if arguments.table:
-        _print_table(audit_report, arguments)
-    else:
-        _print_report(audit_report, findings, arguments, layout.device)
+    _print_report(audit_report, findings, arguments, layout.device)
     return 1 if has_errors(findings) and not arguments.as_printed else 0
 
 
@@ -186,10 +182,7 @@ def _print_dump(arguments: argparse.Namespace, layout: DeviceLayout) -> int:
 
     section, findings = register_dump(arguments, layout)
     report = dump_report(layout, section)
-    if arguments.table:
-        _print_table(report, arguments)
-    else:
-        _print_report(report, findings, arguments, layout.device)
+    _print_report(report, findings, arguments, layout.device)
     return 1 if has_errors(findings) else 0
 
 
@@ -199,10 +192,7 @@ def _print_evidence(arguments: argparse.Namespace, layout: DeviceLayout, layouts
 
     report, findings = evidence_audit.report(arguments, layout, layouts)
     findings = tuple(in_order(findings))
-    if arguments.table:
-        _print_table(report, arguments)
-    else:
-        _print_report(report, findings, arguments, layout.device)
+    _print_report(report, findings, arguments, layout.device)
     return 1 if has_errors(findings) else 0
 
 
@@ -217,8 +207,6 @@ def _print_captures(arguments: argparse.Namespace) -> int:
     report, is_wrong = capture_audit.capture_report(arguments, layout)
     if arguments.format == "parquet":
         capture_audit.write_tables(report, Path(arguments.out))
-    elif arguments.table:
-        _print_table(report, arguments)
     else:
         _print_report(report, (), arguments, layout.device)
     return int(is_wrong)
@@ -227,9 +215,11 @@ def _print_captures(arguments: argparse.Namespace) -> int:
 def _print_report(
     report: Report, findings: tuple[Diagnostic, ...], arguments: argparse.Namespace, device: Device
 ) -> None:
-    """Prints the whole audit, or writes the page to a file."""
+    """Prints one table or the whole audit, or writes it to a file."""
     form = arguments.format
-    if form == "html":
+    if arguments.table:
+        _print_table(report, arguments)
+    elif form == "html":
         from fieldspec.command.rendering.audit_html import rendered as page
 
         text = page(report, device, {})
@@ -269,11 +259,4 @@ def _print_table(report: Report, arguments: argparse.Namespace) -> None:
         print_blocks(table_blocks(table))
         return
     data = {"csv": as_csv, "xlsx": as_xlsx, "json": as_json}[arguments.format](table)
-    if arguments.out:
-        write(Path(arguments.out), data)
-    elif arguments.format != "xlsx":
-        print_document(data.decode("utf-8"))
-    elif sys.stdout.isatty():
-        raise UsageError("a workbook cannot be printed; name a file with --out")
-    else:
-        sys.stdout.buffer.write(data)
+    write_or_print(data, arguments.format, arguments.out or None)

@@ -34,7 +34,7 @@ from fieldspec.language.model.choice import PROJECT_FILE
 from fieldspec.language.reading.findings import PROTOCOLS
 
 if TYPE_CHECKING:
-    from fieldspec.command.builds.build_memory import BuildMemory
+    from fieldspec.command.builds.remembered_outputs import BuildMemory
     from fieldspec.language.diagnostics import Diagnostic
 
 
@@ -219,7 +219,7 @@ def watch(arguments: argparse.Namespace) -> int:
 
     Without `--no-cache`, the process remembers what it has read.
     """
-    from fieldspec.command.builds.build_memory import BuildMemory
+    from fieldspec.command.builds.remembered_outputs import BuildMemory
 
     memory = None if arguments.no_cache else BuildMemory()
     path = spec_files.folder(arguments.specs)

@@ -14,11 +14,12 @@ from fieldspec.codec.explain.row import ExplanationRow
 from fieldspec.codec.explain.spans import accessed
 from fieldspec.codec.layout.bits import packed_bits
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import FrameLayout
+from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.values import MeaningError, Raw, body_of, raw_of, raw_value
 from fieldspec.command.console.streams import print_json, print_line
 from fieldspec.command.console.usage import UsageError, unknown
-from fieldspec.command.frames.encode_computed import computed
 from fieldspec.command.frames.encode_parameters import whole_count, with_parameter
 from fieldspec.command.frames.frame_options import frame_options, number_of
 from fieldspec.command.sources import layout_cache
@@ -355,3 +356,25 @@ def _bytes(layout: DeviceLayout, occupant: Occupant, operation: str, item: str) 
     known = encoded_value(occupant.path, occupant.value, raw, layout.device)
     built: bytes = value_construct(occupant.value, occupant.order, occupant.is_swapped(operation)).build(known)
     return built
+
+
+_OF_ROLES = {
+    "length": "it is the length of what it counts",
+    "checksum": "it is the checksum of what it covers",
+    "code": "it is the code of the message",
+}
+
+
+def computed(shape: FrameLayout, body: RecordLayout, name: str) -> str:
+    """`word_count is not given: it is the number of values`; empty for a name that the frame and its body lack."""
+    for part in (*shape.header, *shape.trailer):
+        if part.name == name:
+            reason = "it is reserved" if part.reserved else _OF_ROLES.get(part.role, "its bytes are constant")
+            return f"{name} is not given: {reason}"
+    field = body.named(name)
+    measure = field.field.measures if field is not None else None
+    if measure is None:
+        return ""
+    measure_text = "the number of bytes of" if measure.of == "bytes" else "the number of"
+    plus_text = f", and {measure.plus} more" if measure.plus else ""
+    return f"{name} is not given: it is {measure_text} {measure.field}{plus_text}"

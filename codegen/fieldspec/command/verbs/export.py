@@ -5,17 +5,16 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Collection, Sequence
-from pathlib import Path
 
 from fieldspec.codec.layout.bases import base_refusals
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.omissions import expressed
 from fieldspec.command.console.streams import print_document, print_note
 from fieldspec.command.console.usage import UsageError
-from fieldspec.command.files.storage import write
+from fieldspec.command.files.storage import write_or_print
 from fieldspec.command.sources import layout_cache
 from fieldspec.foundation.classes import replace
-from fieldspec.language.checks.finding import plural
+from fieldspec.foundation.line_text import plural
 from fieldspec.tools.lists.item import MESSAGES, Item, items
 
 
@@ -39,14 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
         data = as_xlsx(entries, layout.device.id)
     else:
         data = (as_csv(entries) if arguments.to == "csv" else as_json(entries)).encode("utf-8")
-    if arguments.out is not None:
-        write(Path(arguments.out), data)
-    elif arguments.to != "xlsx":
-        print_document(data.decode("utf-8"))
-    elif sys.stdout.isatty():
-        raise UsageError("a workbook cannot be printed; name a file with --out")
-    else:
-        sys.stdout.buffer.write(data)
+    write_or_print(data, arguments.to, arguments.out)
     if absent := _left_out(layout, entries):
         print_note(f"not in the list: {absent}; `fieldspec facts {layout.device.id}` has everything")
     return 0

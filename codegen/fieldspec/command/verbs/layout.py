@@ -15,7 +15,7 @@ from fieldspec.command.rendering.memory import blocks
 from fieldspec.command.sources import layout_cache
 from fieldspec.language.model.fact import Fact
 from fieldspec.targets.controllers.layout.fitting import misfit_findings
-from fieldspec.targets.controllers.layout.images import Images, SpecNaming, choices
+from fieldspec.targets.controllers.layout.images import Images, Naming, choices
 from fieldspec.targets.controllers.layout.memory import MEMORIES, placed
 
 
@@ -32,7 +32,7 @@ def run(arguments: argparse.Namespace) -> int:
     for number, (record, fact, title) in enumerate(_matching_records(layout, arguments.record)):
         if number:
             print_line("")
-        images = Images(layout, SpecNaming(), packed=memory.bits)
+        images = Images(layout, Naming(), packed=memory.bits)
         image = placed(images.of(record, "record", fact, title), memory, images.structs)
         print_blocks(blocks(image, title))
         wrong += misfit_findings(image)

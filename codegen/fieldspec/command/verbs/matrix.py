@@ -11,11 +11,13 @@ from fieldspec.command.console.usage import UsageError
 from fieldspec.command.rendering.blocks import Line, Table
 from fieldspec.command.sources import specs
 from fieldspec.command.verbs.versions import each
+from fieldspec.foundation.html_text import clean
 from fieldspec.language.changes.comparison import Comparison
 from fieldspec.language.changes.reasons import stated_reasons
 from fieldspec.language.model.device import Device
+from fieldspec.targets.templates import fill
 from fieldspec.tools.facts import rows
-from fieldspec.tools.facts.matrix import Matrix, Renaming, matrix
+from fieldspec.tools.facts.matrix import SAME, Matrix, Renaming, matrix
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -36,9 +38,8 @@ def run(arguments: argparse.Namespace) -> int:
         head = ("path", "kind", *fact_matrix.versions)
         print_rows([head, *((row.path, row.kind, *row.cells) for row in fact_matrix.rows)])
     else:
-        from fieldspec.command.rendering.matrix_html import rendered
-
-        print_document(rendered(spec.id, fact_matrix))
+        title = clean(f"{spec.id}: facts by versions")
+        print_document(fill("matrix.html.j2", title=title, matrix=fact_matrix, same=SAME))
     return 0
 
 

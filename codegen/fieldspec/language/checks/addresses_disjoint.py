@@ -13,8 +13,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from operator import attrgetter
 
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.addresses import Block, blocks
-from fieldspec.language.checks.finding import addresses, finding, label, plural
+from fieldspec.language.checks.finding import addresses, finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 

@@ -16,7 +16,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 
-from fieldspec.language.checks.finding import finding, hexadecimal, label, plural
+from fieldspec.foundation.line_text import plural
+from fieldspec.language.checks.finding import finding, hexadecimal, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register, RegisterGroup

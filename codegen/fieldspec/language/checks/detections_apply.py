@@ -17,8 +17,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding, label, plural
+from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.model.device import Detection, Device, VersionLine
 from fieldspec.language.model.encoding import is_count, is_text

@@ -13,7 +13,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
-from fieldspec.language.checks.finding import enumeration, finding, label, plural, range_key
+from fieldspec.foundation.line_text import plural
+from fieldspec.language.checks.finding import enumeration, finding, label, range_key
 from fieldspec.language.checks.settled import of_values, of_words
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device

@@ -55,11 +55,6 @@ def interval(first: object, last: object) -> str:
     return str(first) if first == last else f"{first}..{last}"
 
 
-def plural(number: int, noun: str) -> str:
-    """`1 word`, `2 words`"""
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
 def enumeration(words: Collection[object]) -> str:
     """`a, b and c`, or `a, b, c, d, e and 12 more`"""
     texts = [str(word) for word in words]

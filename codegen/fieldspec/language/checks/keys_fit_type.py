@@ -18,7 +18,8 @@ from collections.abc import Iterator
 from functools import partial
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.checks.finding import finding, plural, range_key
+from fieldspec.foundation.line_text import plural
+from fieldspec.language.checks.finding import finding, range_key
 from fieldspec.language.checks.settled import of_values
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT

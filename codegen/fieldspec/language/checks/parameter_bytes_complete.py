@@ -15,8 +15,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import cases
-from fieldspec.language.checks.finding import finding, label, near, plural
+from fieldspec.language.checks.finding import finding, label, near
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.device import Device

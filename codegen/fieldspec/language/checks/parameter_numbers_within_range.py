@@ -14,9 +14,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.addresses import wire_numbers
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import enumeration, finding, interval, label, plural, range_key
+from fieldspec.language.checks.finding import enumeration, finding, interval, label, range_key
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count

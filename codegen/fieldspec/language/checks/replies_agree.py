@@ -15,7 +15,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, label, plural
+from fieldspec.foundation.line_text import plural
+from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.checks.numbers import body, in_counts
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device

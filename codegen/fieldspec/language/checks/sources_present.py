@@ -15,8 +15,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import enumeration, finding, is_imported, plural
+from fieldspec.language.checks.finding import enumeration, finding, is_imported
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Member, State

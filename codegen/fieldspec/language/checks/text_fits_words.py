@@ -14,8 +14,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding, label, plural
+from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_text

@@ -14,7 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, plural
+from fieldspec.foundation.line_text import plural
+from fieldspec.language.checks.finding import finding
 from fieldspec.language.checks.settled import of_values
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device

@@ -12,8 +12,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, label, plural
+from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact

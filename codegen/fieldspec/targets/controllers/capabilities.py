@@ -108,9 +108,8 @@ def of_dialect(dialect: Dialect) -> Mapping[str, Capability]:
     capabilities["absent_reals"] = refused(
         "one missing value would make a function reject the whole message: plc_reals_present"
     )
-    capabilities["can_frames"] = refused("the functions do not support such frames: plc_frames_supported")
-    capabilities["escaped_frames"] = refused("the functions do not support such frames: plc_frames_supported")
-    capabilities["other_frames"] = refused("the functions do not support such frames: plc_frames_supported")
+    for frames in ("can_frames", "escaped_frames", "other_frames"):
+        capabilities[frames] = refused("the functions do not support such frames: plc_frames_supported")
     capabilities["byte_registers"] = refused("the functions do not support byte addresses: plc_spaces_supported")
     capabilities["moving_tables"] = refused(
         "the functions contain element addresses as constants: plc_addresses_constant"

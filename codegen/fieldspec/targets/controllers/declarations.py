@@ -15,12 +15,10 @@ from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.constants import LISTS, Constant, ConstantList, Draft
 from fieldspec.targets.controllers.dialects import Dialect, Scope
-from fieldspec.targets.controllers.digits import without_digits
 from fieldspec.targets.controllers.enums import EnumDeclaration, EnumMember, TextTable, available, coded
-from fieldspec.targets.controllers.frames import with_supported_links
 from fieldspec.targets.controllers.layout import fitting
 from fieldspec.targets.controllers.layout.fitting import CONVERT
-from fieldspec.targets.controllers.layout.images import Images, SpecNaming, titled
+from fieldspec.targets.controllers.layout.images import Images, Naming, titled
 from fieldspec.targets.controllers.layout.memory import MEMORIES, Placed, placed
 from fieldspec.targets.controllers.narrowing import narrowed
 from fieldspec.targets.controllers.omissions import for_dialect
@@ -31,11 +29,15 @@ from fieldspec.targets.controllers.routines.registers import registers_of
 from fieldspec.targets.controllers.routines.remarks import cited, member_remark, printed
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.world import Names, World
-from fieldspec.targets.controllers.spaces import with_supported_spaces
 from fieldspec.targets.controllers.statements.expressions import EnumType, StructType, Type
 from fieldspec.targets.controllers.statements.routine import BASE, STATUSES, Status
 from fieldspec.targets.controllers.structs import Struct, StructMember, fixed
-from fieldspec.targets.controllers.wide_enums import wide_enums
+from fieldspec.targets.controllers.unsupported import (
+    wide_enums,
+    with_supported_links,
+    with_supported_spaces,
+    without_digits,
+)
 
 _STATUS = "codec_status"
 
@@ -230,7 +232,8 @@ class _Declaring:
     def images(self) -> Iterator[Struct]:
         """The images of telegrams that are exact, and of those records that can be read as they lie."""
         memory, packed = MEMORIES[self.dialect.target], self.dialect.bits == "packed"
-        spec_images, dialect_images = (Images(self.layout, naming, packed) for naming in (SpecNaming(), _Naming(self)))
+        spec_images = Images(self.layout, Naming(), packed)
+        dialect_images = Images(self.layout, _DialectNaming(self), packed)
         for message in telegrams(self.layout):
             for data in message.bodies:
                 if data.size and fixed(data):
@@ -309,19 +312,17 @@ class _Declaring:
             yield TextTable(name, cited(enum.title or printed(enum), enum), enum, texts)
 
 
-class _Naming:
+class _DialectNaming(Naming):
     """The names of images in a dialect."""
 
     def __init__(self, declaring: _Declaring) -> None:
         self._of = declaring
 
     def struct(self, key: str, fact: Fact) -> str:
-        """See `Naming`."""
         form = self._of.dialect.bit_struct if isinstance(fact, Flags) else self._of.dialect.image
         return self._of.scope.take(form.format(self._of.device.pascal(), Name.of(key).pascal()), fact)
 
     def members(self, key: str, members: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
-        """See `Naming`."""
         scope = Scope(self._of.dialect, f"member of {key}", self._of.found)
         texts = [self._of.member(name, kind) for name, _, kind in members]
         fact_names = [
@@ -331,5 +332,4 @@ class _Naming:
         return [name or scope.free(text) for name, text in zip(fact_names, texts, strict=True)]
 
     def remark(self, fact: Fact, value: Value | None) -> str:
-        """See `Naming`."""
         return self._of.remark(fact, value)

@@ -1,4 +1,7 @@
-"""Devices whose numbers are too wide for a dialect: whole ones become two of half the width, others are refused."""
+"""Devices whose numbers a dialect has no types for: wide whole ones become two of half the width, others are refused.
+
+A sentinel that is not a number is refused too: functions cannot tell it from a disturbance.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +34,6 @@ from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.language.model.record import Measure
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.value import Value
-from fieldspec.targets.controllers.absent import stated_values
 from fieldspec.targets.controllers.dialects import Dialect
 from fieldspec.targets.controllers.routines.world import every_record
 from fieldspec.targets.controllers.statements.numbers import is_single, whole_type
@@ -168,13 +170,15 @@ def _is_wide(encoding: Encoding, dialect: Dialect) -> bool:
 
 
 def _unknown(fact: Fact, kind: Primitive, dialect: Dialect) -> Refusal:
-    finding = Diagnostic(
-        "plc_reals_fit" if is_real(kind.encoding) else "plc_numbers_fit",
-        f"{fact.name} is {kind.name}, a number that the functions for {dialect.title} cannot convert",
-        fact.place["type" if "type" in fact.place else "name"],
-        help=LEAVE_OUT,
+    code = "plc_reals_fit" if is_real(kind.encoding) else "plc_numbers_fit"
+    return _refusal(
+        fact, code, f"{fact.name} is {kind.name}, a number that the functions for {dialect.title} cannot convert"
     )
-    return Refusal(fact, finding)
+
+
+def _refusal(fact: Fact, code: str, text: str) -> Refusal:
+    place = fact.place["type" if "type" in fact.place else "name"]
+    return Refusal(fact, Diagnostic(code, text, place, help=LEAVE_OUT))
 
 
 def _wide(value: Value | None) -> bool:
@@ -275,20 +279,39 @@ def _doc(name: str, word: str, doc: str) -> str:
 
 
 def _refused(field: FieldLayout, dialect: Dialect) -> Refusal:
-    finding = Diagnostic(
-        "plc_numbers_fit",
-        f"{field.name} holds numbers of 64 bits in a list, which {dialect.title} can neither hold nor split",
-        field.field.place["type"],
-        help=LEAVE_OUT,
-    )
-    return Refusal(field.field, finding)
+    text = f"{field.name} holds numbers of 64 bits in a list, which {dialect.title} can neither hold nor split"
+    return _refusal(field.field, "plc_numbers_fit", text)
 
 
 def _nested(field: FieldLayout, dialect: Dialect) -> Refusal:
-    finding = Diagnostic(
-        "plc_arrays_flat",
-        f"{field.name} is a list of texts, and {dialect.title} has no arrays of arrays",
-        field.field.place["type"],
-        help=LEAVE_OUT,
-    )
-    return Refusal(field.field, finding)
+    text = f"{field.name} is a list of texts, and {dialect.title} has no arrays of arrays"
+    return _refusal(field.field, "plc_arrays_flat", text)
+
+
+def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Refusal]:
+    """A refusal of each value of which a NaN is a sentinel."""
+    refusals = []
+    refused_facts: set[int] = set()
+    for fact, value in stated_values(layout):
+        sentinel = next((sentinel for sentinel in value.sentinels if sentinel.is_nan), None)
+        if sentinel is not None and id(fact) not in refused_facts:
+            refused_facts.add(id(fact))
+            text = f"the sentinel {sentinel.name} of {fact.name} is a NaN, which {dialect.title} refuses as no number"
+            finding = Diagnostic("plc_reals_present", text, fact.place["sentinels"], help=LEAVE_OUT)
+            refusals.append(Refusal(fact, finding))
+    return refusals
+
+
+def stated_values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value]]:
+    """Every fact with a value that functions convert."""
+    for register in layout.registers:
+        yield register.register, register.register.value
+    for record in every_record(layout):
+        for field in record.fields:
+            if field.value is not None:
+                yield field.field, field.value
+            yield from ((case.case, case.value) for case in field.cases)
+    for parameter_set in layout.device.parameters.values():
+        for parameter in parameter_set.parameters:
+            yield parameter, parameter.value
+            yield from ((inner, inner.value) for inner in parameter.subindices)

@@ -16,9 +16,8 @@ from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
 from fieldspec.language.model.operand import Operands
 from fieldspec.language.model.task import Task
 from fieldspec.language.model.watches import watches
-from fieldspec.targets.controllers.absent import absent_reals
 from fieldspec.targets.controllers.dialects import Dialect
-from fieldspec.targets.controllers.narrowing import number_refusals
+from fieldspec.targets.controllers.narrowing import absent_reals, number_refusals
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.structs import fixed
 

@@ -163,12 +163,15 @@ class Context:
         return code(path, f"#{path}")
 
 
+_ORDER = {"messages": 1, "records": 2, "signals": 3, "registers": 4, "tables": 5, "parameters": 6, "flags": 7}
+"""The places of sections in a list of the facts that use another one."""
+
+
 def _users(all_of_them: Iterable[Holder]) -> dict[str, list[tuple[str, str]]]:
     """Names and paths of the facts that use an enum, a word of flags or a record, by that one's path."""
     users_by_path: dict[str, list[tuple[str, str]]] = defaultdict(list)
-    for holder in all_of_them:
-        if not isinstance(holder, Fact):
-            continue
+    facts = (holder for holder in all_of_them if isinstance(holder, Fact))
+    for holder in sorted(facts, key=lambda fact: _ORDER.get(fact.place.path.partition("/")[0], 0)):
         path = holder.place.path
         value = getattr(holder, "value", None)
         names = {"enums": "", "flags": "", "records": str(getattr(holder, "record", ""))}
@@ -216,11 +219,6 @@ def sources(fact: Fact) -> Cell:
 def cited(citations: Iterable[Citation]) -> Line:
     """The places of the manual in one line."""
     return (text_piece("; ".join(citation.text() for citation in citations)),)
-
-
-def many(number: int, noun: str) -> str:
-    """`1 byte`, `4 bytes`"""
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 def address(number: int) -> str:

@@ -8,10 +8,11 @@ from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.foundation.classes import replace
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link, Part
 from fieldspec.targets.docs.checksums import DIGITS, checksum_text
-from fieldspec.targets.docs.context import Context, many, names, sources
+from fieldspec.targets.docs.context import Context, names, sources
 from fieldspec.targets.docs.document import (
     Cell,
     DocumentTable,
@@ -195,7 +196,7 @@ class FrameTable:
 
 
 def _check_type(part: PartLayout) -> Cell:
-    return cell((code(part.algorithm), text_piece(f" of {many(part.size, 'byte')}")))
+    return cell((code(part.algorithm), text_piece(f" of {plural(part.size, 'byte')}")))
 
 
 def _span(first: int, length: int) -> str:
@@ -267,7 +268,7 @@ def differs_in_size(field: FieldLayout) -> bool:
 
 
 def _bytes_of(record: RecordLayout) -> str:
-    return many(record.size, "byte") if record.size is not None else f"{record.least} to {record.most} bytes"
+    return plural(record.size, "byte") if record.size is not None else f"{record.least} to {record.most} bytes"
 
 
 def _case(field: FieldLayout, case: CaseLayout) -> Item:
@@ -305,7 +306,7 @@ def elements_text(field: FieldLayout, letter: str) -> str:
 def length_text(framing_size: int, record: RecordLayout) -> str:
     """`8 bytes`, or `5 + 2n bytes, n = 1 to 3`: the length of a frame with a record in its body."""
     if record.least == record.most:
-        return many(framing_size + record.least, "byte")
+        return plural(framing_size + record.least, "byte")
     if record.chosen:
         upper_end = f" to {framing_size + record.most}" if record.most is not None else " or more"
         return f"{framing_size + record.least}{upper_end} bytes"

@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.model.record import Message, Segments
 from fieldspec.language.model.value import Conversion, Signal
-from fieldspec.targets.docs.context import Context, cited, many, names, sources
+from fieldspec.targets.docs.context import Context, cited, names, sources
 from fieldspec.targets.docs.document import (
     Cell,
     DocumentTable,
@@ -83,7 +84,7 @@ def _frame(
     record = message_layout.data(direction)
     title = link.link.direction_name(direction).capitalize()
     remote = message_layout.message.remote if direction == "request" else None
-    length = _length(link, direction, record) if remote is None else f"a remote request for {many(remote, 'byte')}"
+    length = _length(link, direction, record) if remote is None else f"a remote request for {plural(remote, 'byte')}"
     caption = f"{title} on {link.link.title or link.name}: {length}"
     return FrameTable(context, link, direction, anchor, anchored).table(
         caption, record, message_layout.message.printed_code(direction)
@@ -96,7 +97,7 @@ def _length(link: LinkLayout, direction: str, record: RecordLayout) -> str:
     parts_size, marks = shape.header_size + shape.trailer_size, len(shape.further + shape.start) + len(shape.end)
     if link.link.transmission == "hex_ascii":
         text = f"{length_text(parts_size, record)}, as two characters each"
-        return f"{text}, and {many(marks, 'character')} as delimiters" if marks else text
+        return f"{text}, and {plural(marks, 'character')} as delimiters" if marks else text
     if escape is not None and link.link.is_can:
         return f"{length_text(parts_size - escape.fields_size, record)} of data"
     return length_text(parts_size + marks, record)
@@ -178,7 +179,7 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
     if message.code is not None:
         yield "Code", (_code_pieces(context, message, message.code),)
     if message.remote is not None:
-        yield "Request", ((text_piece(f"a remote request for {many(message.remote, 'byte')}, without data"),),)
+        yield "Request", ((text_piece(f"a remote request for {plural(message.remote, 'byte')}, without data"),),)
     if message.response_code is not None:
         yield "Code of the response", (_code_pieces(context, message, message.response_code),)
     if message.code is not None:
@@ -187,14 +188,14 @@ def _facts(context: Context, message_layout: MessageLayout) -> Iterator[tuple[st
     for body in separated[:1]:
         yield from separator(body)
     printed = [
-        f"{direction} {many(length, 'byte')}"
+        f"{direction} {plural(length, 'byte')}"
         for direction, length in zip(DIRECTIONS, (message.request_length, message.response_length), strict=True)
         if length is not None
     ]
     if printed:
         yield "Frame length as printed", ((text_piece(", ".join(printed)),),)
     words = [
-        f"{direction} {many(number, 'word')}"
+        f"{direction} {plural(number, 'word')}"
         for direction, number in zip(DIRECTIONS, (message.request_words, message.response_words), strict=True)
         if number is not None
     ]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.language.model.registers import Parameter, ParameterSet, Subindex
-from fieldspec.targets.docs.context import Context, cited, names, sources
+from fieldspec.targets.docs.context import Context, cited, sources
 from fieldspec.targets.docs.document import (
     Cell,
     Facts,
@@ -21,25 +21,12 @@ from fieldspec.targets.docs.document import (
     text_piece,
 )
 from fieldspec.targets.docs.sources import Inferences
-from fieldspec.targets.docs.value_cells import (
-    VALUE_COLUMNS,
-    access_cell,
-    default_cell,
-    meaning_cell,
-    restart_cell,
-    spoken,
-    value_cells,
-)
+from fieldspec.targets.docs.value_cells import SETTING_COLUMNS, effect_lines, meaning_cell, setting_cells, spoken
 
 COLUMNS = (
     TableColumn("Number", "number", unbroken=True, search="key"),
     TableColumn("On the wire", "number", search="key"),
-    TableColumn("Name", unbroken=True),
-    VALUE_COLUMNS[0],
-    TableColumn("Access", "short", unbroken=True),
-    *VALUE_COLUMNS[1:],
-    TableColumn("Default"),
-    TableColumn("Restart", "short"),
+    *SETTING_COLUMNS,
     TableColumn("For"),
     TableColumn("With"),
     TableColumn("Meaning", "wide"),
@@ -88,23 +75,15 @@ def _numbering(parameter_set: ParameterSet) -> Iterator[tuple[str, tuple[Line, .
 def _rows(
     context: Context, parameter_set: ParameterSet, parameter: Parameter, marks: Inferences, restart: bool
 ) -> Iterator[TableRow]:
-    inferred, value = parameter.inferred, parameter.value
-    kind, unit, bounds = value_cells(value, inferred, marks)
     last = parameter.number + parameter.count - 1
     yield TableRow(
         (
             cell(*_numbers(parameter_set.number_text(parameter.number), parameter_set.number_text(last))),
             _wire(parameter_set, parameter.number, last),
-            names(parameter, parameter.name, mark=marks.marks(inferred)),
-            kind,
-            access_cell(parameter.access, inferred, marks),
-            unit,
-            bounds,
-            default_cell(value, inferred, marks),
-            restart_cell(parameter.restart, inferred, marks) if restart else Cell(),
+            *setting_cells(parameter, parameter.name, marks, restart),
             cell(joined((text_piece(" ".join(name.split("_"))),) for name in parameter.applies_to)),
             cell(joined((code(name, f"#messages/{name}"),) for name in parameter.messages)),
-            meaning_cell(context, parameter, value, *_special(parameter)),
+            meaning_cell(context, parameter, parameter.value, *_special(parameter)),
             sources(parameter),
         ),
         parameter.place.path,
@@ -126,18 +105,13 @@ def _wire(parameter_set: ParameterSet, first: int, last: int) -> Cell:
 
 
 def _special(parameter: Parameter) -> Iterator[Line]:
-    if parameter.reserved:
-        yield (styled("reserved", "badge"),)
-    if parameter.trigger:
-        text = " Writing has an effect; reading does not return the written value."
-        yield (styled("trigger", "badge"), text_piece(text))
+    yield from effect_lines(parameter)
     if parameter.elements is not None:
         yield (text_piece(f"{parameter.elements} elements, subindex 0 to {parameter.elements - 1}"),)
 
 
 def _subindex(context: Context, parameter: Parameter, inner: Subindex, marks: Inferences) -> TableRow:
     """The row of an element with a meaning of its own."""
-    kind, unit, bounds = value_cells(inner.value, inner.inferred, marks)
     special: list[Line] = [(styled("reserved", "badge"),)] if inner.reserved else []
     index = spoken(inner.indices.text())
     subindex_name = f"{parameter.name}[{index}]" + (f" {inner.name}" if inner.name else "")
@@ -145,13 +119,7 @@ def _subindex(context: Context, parameter: Parameter, inner: Subindex, marks: In
         (
             Cell(),
             Cell(),
-            names(inner, subindex_name, mark=marks.all_marks(inner.inferred)),
-            kind,
-            access_cell(inner.access, inner.inferred, marks) if inner.access else Cell(),
-            unit,
-            bounds,
-            default_cell(inner.value, inner.inferred, marks),
-            Cell(),
+            *setting_cells(inner, subindex_name, marks, restart=False),
             Cell(),
             Cell(),
             meaning_cell(context, inner, inner.value, *special),

@@ -30,7 +30,7 @@ from fieldspec.targets.docs.document import (
 from fieldspec.targets.docs.links import element_position, elements_text, field_cells, separator
 from fieldspec.targets.docs.positions import Position, placed_fields
 from fieldspec.targets.docs.sources import Inferences
-from fieldspec.targets.docs.value_cells import VALUE_COLUMNS, access_cell, default_cell, restart_cell
+from fieldspec.targets.docs.value_cells import SETTING_COLUMNS, VALUE_COLUMNS, access_cell, default_cell, restart_cell
 
 # So many of the first elements have their addresses written out, and the last one.
 FIRST = 3
@@ -44,11 +44,7 @@ FIELD = (
 OF_TABLE = (
     TableColumn("Word", "number", unbroken=True),
     TableColumn("Words", "number", unbroken=True),
-    *FIELD[:2],
-    TableColumn("Access", "short", unbroken=True),
-    *FIELD[2:4],
-    TableColumn("Default"),
-    TableColumn("Restart", "short"),
+    *SETTING_COLUMNS,
     *FIELD[4:],
 )
 OF_RECORD = (TableColumn("Byte", "number", unbroken=True), TableColumn("Bytes", "number", unbroken=True), *FIELD)

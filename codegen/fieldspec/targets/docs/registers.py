@@ -24,25 +24,13 @@ from fieldspec.targets.docs.document import (
     text_piece,
 )
 from fieldspec.targets.docs.sources import Inferences
-from fieldspec.targets.docs.value_cells import (
-    VALUE_COLUMNS,
-    access_cell,
-    default_cell,
-    meaning_cell,
-    restart_cell,
-    value_cells,
-)
+from fieldspec.targets.docs.value_cells import SETTING_COLUMNS, effect_lines, meaning_cell, setting_cells
 
 COLUMNS = (
     TableColumn("No.", "number", search="key"),
     TableColumn("Address", "number", unbroken=True, search="key"),
     TableColumn("Words", "number", unbroken=True),
-    TableColumn("Name", unbroken=True),
-    VALUE_COLUMNS[0],
-    TableColumn("Access", "short", unbroken=True),
-    *VALUE_COLUMNS[1:],
-    TableColumn("Default"),
-    TableColumn("Restart", "short"),
+    *SETTING_COLUMNS,
     TableColumn("Meaning", "wide"),
     TableColumn("Source", "source"),
 )
@@ -90,20 +78,12 @@ def _gaps(gaps: tuple[Gap, ...]) -> Iterator[tuple[str, tuple[Line, ...]]]:
 
 
 def _rows(context: Context, register: Register, marks: Inferences, restart: bool) -> Iterator[TableRow]:
-    inferred = register.inferred
-    kind, unit, bounds = value_cells(register.value, inferred, marks)
     yield TableRow(
         (
             cell("" if register.number is None else str(register.number)),
             _address(register, context.device.space(register.space).first_number),
             cell(str(register.width)),
-            names(register, register.name, mark=marks.marks(inferred)),
-            kind,
-            access_cell(register.access, inferred, marks),
-            unit,
-            bounds,
-            default_cell(register.value, inferred, marks),
-            restart_cell(register.restart, inferred, marks) if restart else Cell(),
+            *setting_cells(register, register.name, marks, restart),
             meaning_cell(context, register, register.value, *_special(register)),
             sources(register),
         ),
@@ -131,11 +111,7 @@ def _special(register: Register) -> Iterator[Line]:
         apart = "" if register.stride == register.width else f", {register.stride} {units} apart"
         last = register.index_from + register.count - 1
         yield (text_piece(f"{register.count} registers, numbered {register.index_from} to {last}{apart}."),)
-    if register.reserved:
-        yield (styled("reserved", "badge"),)
-    if register.trigger:
-        text = " Writing has an effect; reading does not return the written value."
-        yield (styled("trigger", "badge"), text_piece(text))
+    yield from effect_lines(register)
     if register.atomic:
         yield (styled("atomic", "badge"), text_piece(" All of its words must be accessed in one request."))
     if register.copy_of:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import TypeAlias
 
+from fieldspec.language.model.attributes import descendants
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Claim, Fact
-from fieldspec.language.model.link import UnitAddresses
-from fieldspec.language.model.record import Record
-from fieldspec.language.model.registers import PrintedElement
-from fieldspec.language.model.texts import Example, LookupRow, Note, Statement
+from fieldspec.language.model.link import Link, UnitAddresses
+from fieldspec.language.model.record import Field
+from fieldspec.language.model.registers import PrintedElement, Table
+from fieldspec.language.model.texts import Example, Lookup, LookupRow, Note, Statement
 from fieldspec.targets.docs.document import Footnote, Line, Piece, code, joined, styled, text_piece
 
 Holder: TypeAlias = Fact | Claim | Example | Note | Statement | UnitAddresses | PrintedElement | LookupRow
@@ -22,63 +23,21 @@ def holders(device: Device) -> dict[str, Holder]:
 
 
 def _all_holders(device: Device) -> Iterator[Holder]:
-    for fact in _facts(device):
-        yield fact
-        yield from fact.restated
-    for link in device.links.values():
-        if link.unit_addresses is not None:
-            yield link.unit_addresses
-    for table in device.tables.values():
-        yield from table.elements
-    for lookup in device.lookups:
-        yield from lookup.rows
-    for note in device.notes:
-        yield note
-        yield from note.statements
-    yield from device.examples.values()
-
-
-def _facts(device: Device) -> Iterator[Fact]:
-    for link in device.links.values():
-        yield link
-        yield from link.request
-        yield from link.response
-    for message in device.messages.values():
-        yield message
-        yield from message.request.stated_fields
-        yield from message.response.stated_fields
-        yield from _cases(message.request)
-        yield from _cases(message.response)
-    for record in device.records.values():
-        yield record
-        yield from record.stated_fields
-    yield from device.signals.values()
-    yield from device.conversions.values()
-    for group in device.groups:
-        yield group
-        yield from group.registers
-    yield from device.tables.values()
-    for parameters in device.parameters.values():
-        yield parameters
-        yield from parameters.parameters
-        for parameter in parameters.parameters:
-            yield from parameter.subindices
-    for enum in device.enums.values():
-        yield enum
-        yield from enum.members
-    for flags in device.flags.values():
-        yield flags
-        yield from flags.bits
-        yield from flags.states
-    yield from device.lookups
-    yield from device.limits
-    yield from device.tasks
-
-
-def _cases(record: Record) -> Iterator[Fact]:
-    for field in record.fields:
-        if field.choice is not None:
-            yield from field.choice.cases
+    for item in descendants(device):
+        if isinstance(item, Fact) and not (isinstance(item, Field) and item.is_implied):
+            yield item
+            yield from item.restated
+        if isinstance(item, Link) and item.unit_addresses is not None:
+            yield item.unit_addresses
+        elif isinstance(item, Table):
+            yield from item.elements
+        elif isinstance(item, Lookup):
+            yield from item.rows
+        elif isinstance(item, Note):
+            yield item
+            yield from item.statements
+        elif isinstance(item, Example):
+            yield item
 
 
 # Which cell of a row shows a key of the spec. All other keys are marked at the name.

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from fieldspec.codec.explain.values import in_unit, range_in_unit
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import is_array
 from fieldspec.language.model.enums import Enum, Member
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.registers import Parameter, Register, Subindex
 from fieldspec.language.model.text_form import text_form_title
 from fieldspec.language.model.value import Value
-from fieldspec.targets.docs.context import Context, many
+from fieldspec.targets.docs.context import Context, names
 from fieldspec.targets.docs.document import (
     UNKNOWN,
     Cell,
@@ -31,6 +33,14 @@ from fieldspec.targets.docs.sources import Inferences
 MOST_MEMBERS = 8
 
 VALUE_COLUMNS = (TableColumn("Type"), TableColumn("Unit", "short"), TableColumn("Range", "range"))
+SETTING_COLUMNS = (
+    TableColumn("Name", unbroken=True),
+    VALUE_COLUMNS[0],
+    TableColumn("Access", "short", unbroken=True),
+    *VALUE_COLUMNS[1:],
+    TableColumn("Default"),
+    TableColumn("Restart", "short"),
+)
 PARTS = {
     "number": "The number of one of: ",
     "subindex": "The first accessed element of one of: ",
@@ -49,6 +59,33 @@ def value_cells(value: Value, inferred: Mapping[str, str], marks: Inferences) ->
     )
 
 
+def setting_cells(
+    fact: Register | Parameter | Subindex, name: str, marks: Inferences, restart: bool
+) -> tuple[Cell, ...]:
+    """The cells of a register or parameter, in the order of SETTING_COLUMNS; `restart` says whether any states one."""
+    inferred = fact.inferred
+    kind, unit, bounds = value_cells(fact.value, inferred, marks)
+    is_element = isinstance(fact, Subindex)
+    return (
+        names(fact, name, mark=marks.all_marks(inferred) if is_element else marks.marks(inferred)),
+        kind,
+        access_cell(fact.access, inferred, marks) if fact.access or not is_element else Cell(),
+        unit,
+        bounds,
+        default_cell(fact.value, inferred, marks),
+        restart_cell(fact.restart, inferred, marks) if restart and not isinstance(fact, Subindex) else Cell(),
+    )
+
+
+def effect_lines(fact: Register | Parameter) -> Iterator[Line]:
+    """That a register or parameter is reserved, and that writing it has an effect."""
+    if fact.reserved:
+        yield (styled("reserved", "badge"),)
+    if fact.trigger:
+        text = " Writing has an effect; reading does not return the written value."
+        yield (styled("trigger", "badge"), text_piece(text))
+
+
 def _with(lines: list[Line], marks: Line) -> Cell:
     """Lines with marks after the first one."""
     if not marks:
@@ -60,7 +97,7 @@ def _with(lines: list[Line], marks: Line) -> Cell:
 def type_lines(value: Value) -> list[Line]:
     """The type, with its length where the type has none, and the order of its bytes where it has one of its own."""
     qualifier = "at most " if value.width else ""
-    size = f" of {qualifier}{many(value.size, 'byte')}" if is_array(value.encoding) else ""
+    size = f" of {qualifier}{plural(value.size, 'byte')}" if is_array(value.encoding) else ""
     lines: list[Line] = [(code(value.type.name), text_piece(size))]
     if value.digits:
         lines.append((text_piece(f"sent as {digits_text(value)}"),))

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.foundation.names import stem
-from fieldspec.foundation.spreadsheet import BYTE_ORDER_MARK, Workbook, csv_text
+from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.names import Name, stem
+from fieldspec.foundation.spreadsheet import BYTE_ORDER_MARK, Cell, Workbook, Worksheet, csv_text
+from fieldspec.language.model.device import Device
 from fieldspec.targets.controllers.capabilities import CONSTRUCTS, EXACT, Capability, refused
 from fieldspec.targets.hmi import code_lists
-from fieldspec.targets.hmi.workbooks import CULTURES, ENGLISH, TextList, controller_workbook, panel_workbook, text_lists
+from fieldspec.targets.hmi.code_lists import Code, lists
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
@@ -41,11 +43,6 @@ def _workbooks(culture: str | None, text_lists: Sequence[TextList]) -> Iterator[
         yield f"tia_alarms_{words}", controller_workbook(text_lists, languages)
 
 
-def shared() -> dict[str, str | Workbook]:
-    """No files: every file of this output belongs to one device."""
-    return {}
-
-
 _EXACT = ("code_texts", "remedies", "labels")
 
 
@@ -55,3 +52,87 @@ def capabilities() -> Mapping[str, Capability]:
         name: Capability(EXACT) if name in _EXACT else refused("the output contains only texts of codes")
         for name in CONSTRUCTS
     }
+
+
+NO_VALUE = "<No value>"
+"""What stands for a text that is not there, in the sheet of lists."""
+
+CULTURES = {"zh-Hans": "zh-CN", "zh-Hant": "zh-TW"}
+"""The culture of texts in a manual's language."""
+
+ENGLISH = "en-US"
+
+# What is done with a text that the program would take for a place of a value.
+_FIELD = "<field"
+
+
+@dataclass(frozen=True, slots=True)
+class TextList:
+    """A list by its name, with an English comment, and for each value the English text and the manual's, or nothing."""
+
+    name: str
+    comment: str
+    entries: tuple[tuple[int, str, str], ...]
+
+
+def text_lists(device: Device) -> Iterator[TextList]:
+    """For each list of codes one with what they mean, and one of causes and one of remedies, if there are any."""
+    before = Name.of(device.id)
+    for enum, codes in lists(device):
+        title = f"{device.name}: {enum.title or Name.of(enum.name).title()}"
+        base = before + Name.of(enum.name)
+        yield TextList(base.snake(), title, tuple((code.member.value, code.text, code.member.label) for code in codes))
+        for word in ("cause", "remedy"):
+            entries = tuple((code.member.value, _part(code, word), "") for code in codes if _part(code, word))
+            if entries:
+                yield TextList((base + Name.of(word)).snake(), f"{title}, {word}", entries)
+
+
+def panel_workbook(text_lists: Sequence[TextList], languages: Sequence[str]) -> Workbook:
+    """The text lists of a panel, in the languages that a project has."""
+    texts = [f"Text [{language}]" for language in languages]
+    head = ("Name", "Parent", "DefaultEntry", "Value", *texts, "FieldInfos")
+    entries = [
+        (f"Text_list_entry_{number}", text_list.name, "", str(value), *_texts(languages, english, label), "")
+        for text_list in text_lists
+        for number, (value, english, label) in enumerate(text_list.entries, 1)
+    ]
+    return Workbook((_lists(text_lists, languages), Worksheet("TextListEntry", (head, *entries))))
+
+
+def controller_workbook(text_lists: Sequence[TextList], languages: Sequence[str]) -> Workbook:
+    """The text lists of a controller's alarms."""
+    head = ("Parent", "From", "To", *(f"Text [{language}]" for language in languages))
+    entries = [
+        (text_list.name, str(value), str(value), *_texts(languages, english, label))
+        for text_list in text_lists
+        for value, english, label in text_list.entries
+    ]
+    sheets = (_lists(text_lists, languages), Worksheet("TextListEntry", (head, *entries)))
+    return Workbook(sheets, {"FileVersion": "1", "FileContent": "Alarm text lists"})
+
+
+def _lists(text_lists: Sequence[TextList], languages: Sequence[str]) -> Worksheet:
+    head = ("Name", "ListRange", *(f"Comment [{language}]" for language in languages))
+    rows = [
+        (
+            text_list.name,
+            "Decimal",
+            *(_single_line(text_list.comment) if language == ENGLISH else NO_VALUE for language in languages),
+        )
+        for text_list in text_lists
+    ]
+    return Worksheet("TextList", (head, *rows))
+
+
+def _texts(languages: Sequence[str], english: str, label: str) -> tuple[Cell, ...]:
+    """The text in each language; the English one where the manual has none."""
+    return tuple(_single_line(english if language == ENGLISH or not label else label) for language in languages)
+
+
+def _part(code: Code, word: str) -> str:
+    return code.cause if word == "cause" else code.remedy
+
+
+def _single_line(text: str) -> str:
+    return text.replace(_FIELD, f"< {_FIELD[1:]}")

@@ -17,13 +17,13 @@ from fieldspec.targets.controllers.declarations import Declarations, declaration
 from fieldspec.targets.controllers.dialects import IEC, Spelling
 from fieldspec.targets.controllers.literals import initial
 from fieldspec.targets.controllers.routines.all_routines import routines
-from fieldspec.targets.controllers.routines.printer import comment, comment_text, routine_text
+from fieldspec.targets.controllers.routines.printer import array_name, comment, comment_text, routine_text, type_text
 from fieldspec.targets.controllers.routines.remarks import without_block
-from fieldspec.targets.controllers.statements.expressions import ArrayType
+from fieldspec.targets.controllers.statements.expressions import ArrayType, Type
 from fieldspec.targets.controllers.statements.routine import Routine
+from fieldspec.targets.controllers.structs import Struct
 from fieldspec.targets.controllers.structured.examples import examples
 from fieldspec.targets.controllers.structured.program import about, newest
-from fieldspec.targets.iec.types import struct_lines, type_lines
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,11 +55,6 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """Names that a compiler does not take, or takes for one."""
     return list(declarations(newest(versions), IEC).findings)
-
-
-def shared() -> dict[str, str]:
-    """No files: every file of this output belongs to one device."""
-    return {}
 
 
 def program_text(iec_source: Source, program: ProgramSource) -> str:
@@ -136,3 +131,30 @@ def _constants(constant_list: ConstantList) -> Iterator[str]:
             f" {IEC.comment.format(remark)}" if remark else ""
         )
     yield "END_VAR"
+
+
+def struct_lines(struct: Struct, spelling: Spelling) -> list[str]:
+    """The declaration of a STRUCT of values in Structured Text."""
+    lines = [*comment(struct.title, form=spelling.comment), "TYPE", f"    {struct.name} : STRUCT"]
+    for member in struct.members:
+        remark = f" {spelling.comment.format(comment_text(member.remark))}" if comment_text(member.remark) else ""
+        lines.append(f"        {member.name} : {type_text(member.type, spelling)};{remark}")
+    if not struct.members:
+        lines.append(f"        byNothing : BYTE; {spelling.comment.format('a struct must have a member')}")
+    return [*lines, "    END_STRUCT;", "END_TYPE"]
+
+
+def type_lines(kind: ArrayType, spelling: Spelling) -> list[str]:
+    """The name of an array type, and after it the lines that declare it.
+
+    An array of arrays states its initial value, because matiec has none for it and writes wrong C.
+    """
+    name = array_name(kind, spelling)
+    bounds = f"ARRAY [{kind.low}..{kind.high}] OF {type_text(kind.of, spelling)}"
+    initial = f" := {_zeros(kind)}" if isinstance(kind.of, ArrayType) else ""
+    return [name, "TYPE", f"    {name} : {bounds}{initial};", "END_TYPE"]
+
+
+def _zeros(kind: Type) -> str:
+    """The value that the elements of an array have anyway: texts and bytes are the arrays that arrays are made of."""
+    return f"[{kind.high - kind.low + 1}({_zeros(kind.of)})]" if isinstance(kind, ArrayType) else "0"

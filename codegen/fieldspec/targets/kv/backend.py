@@ -74,11 +74,6 @@ def _area_rows(layout: DeviceLayout, base: int, area: Area, known: dict[tuple[in
     return before
 
 
-def shared() -> dict[str, str]:
-    """No files: every file of this output belongs to one device."""
-    return {}
-
-
 def _placed_areas(layout: DeviceLayout, dialect: WordDialect) -> Iterator[tuple[int, Area]]:
     """The areas with the numbers of their first words, one after the other."""
     address = dialect.base

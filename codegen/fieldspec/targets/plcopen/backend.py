@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+import uuid
+from collections.abc import Iterable, Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.classes import replace
 from fieldspec.foundation.names import stem
 from fieldspec.language.diagnostics import Diagnostic
-from fieldspec.targets.controllers.adapters.objects import objects
+from fieldspec.targets.controllers.adapters.objects import DeclaredText, declared, objects
 from fieldspec.targets.controllers.adapters.programs import ALTERNATIVE, Source, codesys
 from fieldspec.targets.controllers.dialects import DIALECTS
-from fieldspec.targets.controllers.structured.arrays import named_arrays
+from fieldspec.targets.controllers.statements.expressions import ELEMENTARY, TIME
 from fieldspec.targets.controllers.structured.layout_table import layout_table
-from fieldspec.targets.controllers.structured.program import Program, newest, program
+from fieldspec.targets.controllers.structured.objects import Item
+from fieldspec.targets.controllers.structured.program import Program, named_arrays, newest, program
 from fieldspec.targets.controllers.structured.program import refusals as program_refusals
 from fieldspec.targets.plcopen.elements import (
     Element,
     array_type,
+    body,
     constants_list,
     document_text,
     documentation,
@@ -28,8 +33,6 @@ from fieldspec.targets.plcopen.elements import (
     text_type,
     texts_list,
 )
-from fieldspec.targets.plcopen.folders import ADAPTERS, folders, identified
-from fieldspec.targets.plcopen.text_objects import text_pou
 
 # What CODESYS writes and TwinCAT reads; 2.01 differs in nothing that stands here.
 NAMESPACE = "http://www.plcopen.org/xml/tc6_0200"
@@ -56,11 +59,6 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """Names that controllers do not take, or take for one."""
     return program_refusals(newest(versions), DIALECTS["plcopen"])
-
-
-def shared() -> dict[str, str]:
-    """No files: every file of this output belongs to one device."""
-    return {}
 
 
 def added(program_of_device: Program, source: Source) -> Element:
@@ -138,3 +136,83 @@ def _document(
         documentation(program_of_device.about()),
         xmlns=NAMESPACE,
     )
+
+
+OBJECT = "http://www.3s-software.com/plcopenxml/objectid"
+STRUCTURE = "http://www.3s-software.com/plcopenxml/projectstructure"
+ADAPTERS = "adapters and programs"
+# An identifier that is made of a name is the same in every build, and differs where names differ.
+_SPACE = uuid.uuid5(uuid.NAMESPACE_DNS, "plcopen.fieldspec")
+_FOLDERS = {"type": "Types", "list": "Constants", "function": "Functions", "block": "Blocks"}
+_BEFORE = ("documentation",)
+"""What follows the data of vendors in an element."""
+
+
+def identifier(name: str) -> str:
+    """The GUID of an object: names are unique in a project, whatever the case of their letters."""
+    return str(uuid.uuid5(_SPACE, name.lower()))
+
+
+def identified(item: Element) -> Element:
+    """An object with its identifier."""
+    name = dict(item.attributes)["name"]
+    data = element("data", element("ObjectId", text=identifier(name)), name=OBJECT, handleUnknown="discard")
+    children = list(item.children)
+    for position, child in enumerate(children):
+        if child.name == "addData":
+            children[position] = replace(child, children=(*child.children, data))
+            return replace(item, children=tuple(children))
+    end = next((position for position, child in enumerate(children) if child.name in _BEFORE), len(children))
+    return replace(item, children=(*children[:end], element("addData", data), *children[end:]))
+
+
+def folders(items: Iterable[Item]) -> Element:
+    """The folders: types, constants, functions and blocks, and beside them adapters and programs."""
+    content: dict[str, list[Element]] = {}
+    for item in items:
+        folder = "Adapters and programs" if item.about == ADAPTERS else _FOLDERS[item.kind]
+        content.setdefault(folder, []).append(element("Object", Name=item.name, ObjectId=identifier(item.name)))
+    structure = element("ProjectStructure", *(element("Folder", *inner, Name=name) for name, inner in content.items()))
+    return element("data", structure, name=STRUCTURE, handleUnknown="discard")
+
+
+_SECTIONS = {
+    "VAR_INPUT": element("inputVars"),
+    "VAR_OUTPUT": element("outputVars"),
+    "VAR_IN_OUT": element("inOutVars"),
+    "VAR": element("localVars"),
+    "VAR CONSTANT": element("localVars", constant="true"),
+}
+_POU_TYPES = {"block": "functionBlock", "program": "program"}
+_ARRAY = re.compile(r"ARRAY\[(\d+)\.\.(\d+)\] OF (.+)")
+
+
+def text_pou(item: Item, remarks: Sequence[str]) -> Element:
+    """A block or a program; `remarks` is what its comment says."""
+    sections = declared(item)
+    variables = [
+        replace(section, children=tuple(map(_variable, sections[word])))
+        for word, section in _SECTIONS.items()
+        if sections.get(word)
+    ]
+    interface = element("interface", *variables, documentation(remarks))
+    return element("pou", interface, body(item.implementation), name=item.name, pouType=_POU_TYPES[item.kind])
+
+
+def _variable(variable: DeclaredText) -> Element:
+    parts = [element("type", _type(variable.kind))]
+    if variable.initial:
+        parts.append(element("initialValue", element("simpleValue", value=variable.initial)))
+    if variable.remark:
+        parts.append(documentation([variable.remark]))
+    address = {"address": variable.address} if variable.address else {}
+    return element("variable", *parts, name=variable.name, **address)
+
+
+def _type(kind: str) -> Element:
+    """The type of a variable by its text."""
+    match = _ARRAY.fullmatch(kind)
+    if match is not None:
+        bounds = element("dimension", lower=match[1], upper=match[2])
+        return element("array", bounds, element("baseType", _type(match[3])))
+    return element(kind) if kind in ELEMENTARY or kind == TIME.name else element("derived", name=kind)

@@ -10,12 +10,11 @@ from fieldspec.foundation.spreadsheet import BYTE_ORDER_MARK, Cell, Workbook, cs
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.targets.controllers.adapters.programs import siemens
 from fieldspec.targets.controllers.layout.table import table
-from fieldspec.targets.scl.project import Project, project
+from fieldspec.targets.controllers.structured.usages import usage_rows, version_usages
+from fieldspec.targets.scl.project import Project, declared_for_portal, project
 from fieldspec.targets.scl.sources import blocks, clashes, functions, source, types
 from fieldspec.targets.scl.tags import tag_tables
-from fieldspec.targets.scl.usages import usage_rows
-from fieldspec.targets.scl.usages import usages as usages
-from fieldspec.targets.usages import cache_spelling
+from fieldspec.targets.usages import VersionUsages, cache_spelling
 
 
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
@@ -30,14 +29,14 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str | Workbook]:
         remarks = [f"// {line}" for line in text.remarks]
         outputs[f"{text.name}.scl"] = source(tia_project, [remarks, text.text.splitlines()])
     outputs["constants.xlsx"] = tag_tables(tia_project)
-    cache_spelling("scl", versions[-1], partial(usage_rows, versions[-1]))
+    cache_spelling("scl", versions[-1], partial(usage_rows, versions[-1], declared_for_portal))
     outputs["layout.csv"] = BYTE_ORDER_MARK + csv_text(_layout(tia_project))
     return {f"{tia_project.stem}/{tia_project.stem}_{name}": content for name, content in outputs.items()}
 
 
-def shared() -> dict[str, str | Workbook]:
-    """No files: every file of this output belongs to one device."""
-    return {}
+def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
+    """How programs use the newest version of a device."""
+    return version_usages("scl", "SCL", versions[-1], declared_for_portal)
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:

@@ -10,11 +10,10 @@ from fieldspec.foundation.names import stem
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.targets.controllers.dialects import DIALECTS
 from fieldspec.targets.controllers.structured.layout_table import layout_table
-from fieldspec.targets.controllers.structured.program import Program, newest, program
+from fieldspec.targets.controllers.structured.program import Program, declared_in_text, newest, program
 from fieldspec.targets.controllers.structured.program import refusals as program_refusals
-from fieldspec.targets.st.usages import usage_rows
-from fieldspec.targets.st.usages import usages as usages
-from fieldspec.targets.usages import cache_spelling
+from fieldspec.targets.controllers.structured.usages import usage_rows, version_usages
+from fieldspec.targets.usages import VersionUsages, cache_spelling
 
 _PARTS = {
     "type": "Types: enums and structs",
@@ -29,18 +28,18 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     layout = newest(versions)
     name = stem(layout.device.id, layout.device.version)
     st_program = program(layout)
-    cache_spelling("st", layout, partial(usage_rows, layout))
+    cache_spelling("st", layout, partial(usage_rows, layout, declared_in_text))
     return {f"{name}.st": text(st_program), f"{name}_layout.csv": layout_table(st_program)}
+
+
+def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
+    """How programs use the newest version of a device."""
+    return version_usages("st", "Structured Text", newest(versions), declared_in_text)
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     """Names that controllers do not take, or take for one."""
     return program_refusals(newest(versions), DIALECTS["st"])
-
-
-def shared() -> dict[str, str]:
-    """No files: every file of this output belongs to one device."""
-    return {}
 
 
 def text(program: Program) -> str:

@@ -62,11 +62,6 @@ def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
     return program_refusals(newest(versions), DIALECTS["twincat"])
 
 
-def shared() -> dict[str, str]:
-    """No files: every file of this output belongs to one device."""
-    return {}
-
-
 def adapters(st_program: Program) -> Iterator[tuple[Item, tuple[str, ...]]]:
     """The objects of adapters and programs, with what their comments say."""
     for text in twincat(st_program.declared.world, st_program.spelling, st_program.routines):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from fieldspec.codec.explain.values import DecodedValue
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.model.device import Device
@@ -25,54 +24,16 @@ class DumpRow:
 if TYPE_CHECKING:
     from typing import Any, Protocol, TypeAlias
 
+    from fieldspec.tools.live import reading, writing
+    from fieldspec.tools.live.messages import ParameterAssignment, SignalReading
+
     Item: TypeAlias = Any
     """A value that an access knows: what is at an address with its space, or a signal of messages."""
 
-    class Reading(Protocol):
-        """A value that was read, or the reason why the device refused it. Equal `words` are the same value."""
-
-        @property
-        def path(self) -> str:
-            """The path of the value."""
-
-        @property
-        def words(self) -> tuple[int, ...]:
-            """The content on the wire: words of registers, bytes of parameters."""
-
-        @property
-        def decoded(self) -> DecodedValue | None:
-            """The decoded value; None for a refused value."""
-
-        @property
-        def refusal(self) -> str:
-            """The reason why the device refused the value, or an empty text."""
-
-        @property
-        def is_absent(self) -> bool:
-            """Whether it was not asked for, as the device says that it has not got it."""
-
-    class Assignment(Protocol):
-        """A value that is to be written, and what a person should know before."""
-
-        @property
-        def path(self) -> str:
-            """The path of the value."""
-
-        @property
-        def words(self) -> tuple[int, ...]:
-            """The words of the value on the wire."""
-
-        @property
-        def mask(self) -> tuple[int, ...]:
-            """The bits of its words that are its own; empty where all are."""
-
-        @property
-        def sent(self) -> object:
-            """The key of its request, which is equal for values that one request writes."""
-
-        @property
-        def hazards(self) -> tuple[str, ...]:
-            """Warnings before the value is written."""
+    Reading: TypeAlias = reading.Reading | SignalReading
+    """A value that was read, or the reason why the device refused it. Equal `words` are the same value."""
+    Assignment: TypeAlias = writing.Assignment | ParameterAssignment
+    """A value that is to be written, and what a person should know before."""
 
     class Access(Protocol):
         """Values of a device by name. Those that talk to it raise NoAnswerError and CarrierError."""
@@ -97,9 +58,6 @@ if TYPE_CHECKING:
 
         def path(self, item: Item) -> str:
             """The path of an item."""
-
-        def fact(self, item: Item) -> Fact:
-            """The fact that describes an item."""
 
         def value(self, item: Item) -> Value:
             """The value of an item."""

@@ -28,7 +28,6 @@ from fieldspec.tools.live.value_lists import COMMANDS
 if TYPE_CHECKING:
     from fieldspec.codec.layout.device import DeviceLayout
     from fieldspec.codec.layout.frame import LinkLayout
-    from fieldspec.language.model.fact import Fact
     from fieldspec.language.model.value import Value
     from fieldspec.tools.live.client import Client
 
@@ -74,10 +73,6 @@ class ParameterAccess:
     def path(self, item: Signal) -> str:
         """The path of an item."""
         return item.path
-
-    def fact(self, item: Signal) -> Fact:
-        """The fact that describes an item."""
-        return item.fact
 
     def value(self, item: Signal) -> Value:
         """The value of an item."""

@@ -34,7 +34,6 @@ if TYPE_CHECKING:
     from fieldspec.codec.explain.registers import Occupant
     from fieldspec.codec.layout.device import DeviceLayout
     from fieldspec.language.model.address_space import AddressSpace
-    from fieldspec.language.model.fact import Fact
     from fieldspec.language.model.value import Value
     from fieldspec.tools.live.client import Client
 
@@ -77,10 +76,6 @@ class RegisterAccess:
     def path(self, item: Placed) -> str:
         """The path of an item."""
         return item[1].path
-
-    def fact(self, item: Placed) -> Fact:
-        """The fact that describes an item."""
-        return item[1].fact
 
     def value(self, item: Placed) -> Value:
         """The value of an item."""

@@ -5,20 +5,22 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from fieldspec.codec.explain.examples import explained_anew
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
-from fieldspec.foundation.classes import dataclass
+from fieldspec.codec.layout.package_codecs import coded_facts
+from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language import checks
 from fieldspec.language.behaviour.findings import findings as behaviour_findings
+from fieldspec.language.checks.finding import allowances, enumeration
 from fieldspec.language.checks.layout_conditions import LAYOUT_CONDITIONS
 from fieldspec.language.diagnostics import Diagnostic, has_errors
+from fieldspec.language.model.codecs import are_loaded, uses
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.device_spec import DeviceSpec
-from fieldspec.tools.proofs.codec_examples import codec_exemplified
 from fieldspec.tools.proofs.detections_alike import detections_alike
 from fieldspec.tools.proofs.equal_lines import equal_versions, lines_alike
 from fieldspec.tools.proofs.errata import Findings, Proof, errata_by_version, proofs
 from fieldspec.tools.proofs.examples import FindingsCache
-from fieldspec.tools.proofs.over_versions import of_versions, without_needed
 
 if TYPE_CHECKING:
     from fieldspec.language.changes.acceptances import ComparedVersions
@@ -179,3 +181,80 @@ def outcome(spec: DeviceSpec) -> Outcome:
         findings += lines_alike(spec, shared)
         findings += detections_alike({version: layouts[version] for version in spec.versions()})
     return Outcome([*findings, *accepted(spec)], _in_order(proofs_of_errata), by_version, remembered, layouts, shared)
+
+
+FEWEST = 3
+
+
+def codec_exemplified(device: Device) -> Iterator[Diagnostic]:
+    """A finding of each codec of a sound device that fewer printed frames use."""
+    if not are_loaded():
+        return
+    layout = device_layout(device)
+    facts = list(coded_facts(layout))
+    counts = {name: 0 for _, _, name in facts}
+    for example in layout.device.examples.values() if counts else ():
+        if example.origin == "computed" or example.refused:
+            continue
+        with uses() as names:
+            explained_anew(layout, example)
+        for name in names:
+            counts[name] += 1
+    for fact, key, name in facts:
+        count = counts.pop(name, FEWEST)
+        if count < FEWEST:
+            text = f"{count or 'no'} example{'s use' if count != 1 else ' uses'} the codec {name}"
+            help = f"add printed frames until {FEWEST} have it, each with its values"
+            yield Diagnostic("codec_exemplified", text, fact.place[key], help=help)
+
+
+_Key = tuple[str, str, str, int]
+
+
+def without_needed(
+    devices: Mapping[str, Device], by_version: Mapping[str, Sequence[Diagnostic]]
+) -> dict[str, list[Diagnostic]]:
+    """The findings by version, without findings of allowances that another version needs.
+
+    A fact that one version has may leave a hole in the others, and a spec has only one place to allow it.
+    """
+    of_allowances = {
+        version: {_key(finding) for finding in findings if finding.code == "allowances_used"}
+        for version, findings in by_version.items()
+    }
+    if not any(of_allowances.values()):
+        return {version: [*findings] for version, findings in by_version.items()}
+    needed_keys: set[_Key] = set()
+    for version, keys in of_allowances.items():
+        stated = {
+            (allowance.fact.place["allow"].file.path, allowance.fact.place["allow"].start)
+            for allowance in allowances(devices[version])
+        }
+        other_keys = set().union(*of_allowances.values()) - keys
+        needed_keys |= {key for key in other_keys if key[2:] in stated}
+    return {
+        version: [finding for finding in findings if _key(finding) not in needed_keys]
+        for version, findings in by_version.items()
+    }
+
+
+def of_versions(by_version: Mapping[str, Sequence[Diagnostic]], versions: Sequence[str]) -> Iterator[Diagnostic]:
+    """The findings of some versions, each once. The text of one that not all versions have names those that do."""
+    having: dict[_Key, list[str]] = {}
+    first: dict[_Key, Diagnostic] = {}
+    for findings in by_version.values():
+        for finding in findings:
+            first.setdefault(_key(finding), finding)
+    for version in versions:
+        for key in {_key(finding): None for finding in by_version[version]}:
+            having.setdefault(key, []).append(version)
+    for key, finding in first.items():
+        own = having[key]
+        if len(own) == len(versions):
+            yield finding
+        else:
+            yield replace(finding, message=f"{finding.message} (in {enumeration(own)})")
+
+
+def _key(finding: Diagnostic) -> _Key:
+    return finding.code, finding.message, finding.span.file.path, finding.span.start

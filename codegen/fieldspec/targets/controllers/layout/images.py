@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Protocol
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
@@ -23,35 +22,19 @@ from fieldspec.targets.controllers.structs import (
 )
 
 
-class Naming(Protocol):
-    """How images and their members are called."""
+class Naming:
+    """How images and their members are called: as the spec names their facts, unless a class names them otherwise."""
 
     def struct(self, key: str, fact: Fact) -> str:
         """The name of an image, or of the bits of a word."""
-        ...
-
-    def members(self, key: str, members: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
-        """The names of the members of a struct; a member without a fact takes a name that no fact has."""
-        ...
-
-    def remark(self, fact: Fact, value: Value | None) -> str:
-        """The comment of a member."""
-        ...
-
-
-class SpecNaming:
-    """Names images and members as the spec names their facts."""
-
-    def struct(self, key: str, fact: Fact) -> str:
-        """See `Naming`."""
         return key
 
     def members(self, key: str, members: Sequence[tuple[str, Fact | None, Type]]) -> list[str]:
-        """See `Naming`."""
+        """The names of the members of a struct; a member without a fact takes a name that no fact has."""
         return [name for name, _, _ in members]
 
     def remark(self, fact: Fact, value: Value | None) -> str:
-        """See `Naming`."""
+        """The comment of a member."""
         return ""
 
 

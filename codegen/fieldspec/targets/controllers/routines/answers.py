@@ -21,23 +21,18 @@ from fieldspec.targets.controllers.statements.expressions import (
     UDINT,
     UNSIGNED,
     ArrayType,
-    Element,
     Elementary,
     EnumMemberExpression,
     EnumType,
     Expression,
     Negation,
-    Operation,
     StructType,
     Truth,
     Variable,
     Whole,
-    compared,
-    converted,
     either,
     every,
     number,
-    plus,
 )
 from fieldspec.targets.controllers.statements.numbers import whole_type
 from fieldspec.targets.controllers.statements.routine import (
@@ -111,7 +106,7 @@ def judged(
     """
     comparison = _Comparison(world, variables)
     asks, answers = parameters_of(world, link, message)
-    refused = compared(status, "=", world.status.of("refused"))
+    refused = status.compared("=", world.status.of("refused"))
     station: list[Expression] = []
     head: list[Expression] = []
     body: list[Expression] = []
@@ -148,8 +143,8 @@ def judged(
                 and requested_count is not None
                 and {type(received_count), type(requested_count)} != {Whole}
             ):
-                body.append(compared(received_count, "<>", requested_count))
-                unlike = [when(compared(received_count, "=", requested_count), unlike)]
+                body.append(received_count.compared("<>", requested_count))
+                unlike = [when(received_count.compared("=", requested_count), unlike)]
             statements += unlike
         else:
             body.append(comparison.differ(theirs, ours))
@@ -188,15 +183,15 @@ def _counts(
     received_count = response_values[answers.count.name]
     unit = device.space(access.space).unit_size
     if device.bit_access(message.message) is not None:
-        bits = Operation("+", (converted(requested_count, UDINT), Whole(7, UDINT)), UDINT)
-        return [compared(converted(received_count, UDINT), "<>", Operation("/", (bits, Whole(8, UDINT)), UDINT))]
+        bits = requested_count.converted(UDINT).combined("+", 7)
+        return [received_count.converted(UDINT).compared("<>", bits.combined("/", 8))]
     if values.size == unit:
         return [comparison.differ(received_count, requested_count)]
     sizes = [
-        Operation("*", (converted(units, UDINT), Whole(size, UDINT)), UDINT)
+        units.converted(UDINT).combined("*", size)
         for units, size in ((received_count, values.size), (requested_count, unit))
     ]
-    return [compared(sizes[0], "<>", sizes[1])]
+    return [sizes[0].compared("<>", sizes[1])]
 
 
 def _value(
@@ -232,18 +227,18 @@ class _Comparison:
     def differ(self, left: Expression, right: Expression) -> Expression:
         """Whether two single values differ; their types may differ too."""
         if left.type == right.type:
-            return compared(left, "<>", right)
+            return left.compared("<>", right)
         for own, other in ((left, right), (right, left)):
             if isinstance(own.type, EnumType):
                 return Negation(
-                    either([every([compared(own, "=", m), self._is(other, m)]) for m in self._members(own.type)])
+                    either([every([own.compared("=", m), self._is(other, m)]) for m in self._members(own.type)])
                 )
         assert isinstance(left.type, Elementary)
         assert isinstance(right.type, Elementary)
         real = "real" in (left.type.family, right.type.family)
         low, high = min(left.type.low, right.type.low), max(left.type.high, right.type.high)
         kind = LREAL if real else narrowest(low, high)
-        return compared(converted(left, kind), "<>", converted(right, kind))
+        return left.converted(kind).compared("<>", right.converted(kind))
 
     def _members(self, kind: EnumType) -> list[EnumMemberExpression]:
         enum = next(name for name, known in self.world.names.enums.items() if known == kind)
@@ -255,11 +250,11 @@ class _Comparison:
         """Whether a value equals the number of an enum member."""
         if isinstance(other.type, EnumType):
             same = [own for own in self._members(other.type) if own.value == member.value]
-            return either([compared(other, "=", own) for own in same]) if same else Truth(False)
+            return either([other.compared("=", own) for own in same]) if same else Truth(False)
         assert isinstance(other.type, Elementary)
         if not other.type.low <= member.value <= other.type.high:
             return Truth(False)
-        return compared(other, "=", Whole(member.value, other.type))
+        return other.compared("=", member.value)
 
     def unlike(
         self,
@@ -273,10 +268,8 @@ class _Comparison:
         (own, field), (other, origin) = left, right
         if isinstance(own.type, ArrayType) and isinstance(other.type, ArrayType):
             index = self.variables.local(f"iRepeated{depth or ''}")
-            last = plus(count, -1) if count is not None else number(min(own.type.high, other.type.high))
-            elements = [
-                Element(array, index, array.type.of) for array in (own, other) if isinstance(array.type, ArrayType)
-            ]
+            last = count.plus(-1) if count is not None else number(min(own.type.high, other.type.high))
+            elements = [array.element(index) for array in (own, other) if isinstance(array.type, ArrayType)]
             element_statements = self.unlike(flag, (elements[0], field), (elements[1], origin), None, depth + 1)
             return [Loop(index, number(0), last, tuple(element_statements))]
         if field.record is not None and origin.record is not None:

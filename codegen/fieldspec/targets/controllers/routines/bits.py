@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.record import RegisterLayout
-from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.registers import RegisterGroup
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.register_range import RegisterRange
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
@@ -15,27 +15,16 @@ from fieldspec.targets.controllers.statements.expressions import (
     UINT,
     USINT,
     Call,
-    Conversion,
     Element,
     Expression,
     Negation,
-    Operation,
     Variable,
     Whole,
-    compared,
     either,
     every,
     number,
 )
-from fieldspec.targets.controllers.statements.routine import (
-    Assignment,
-    Condition,
-    Declared,
-    Draft,
-    Loop,
-    Routine,
-    Statement,
-)
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Declared, Loop, Routine, Statement
 
 _BYTE, _INDEX, _VALUE = Variable("usiByte", USINT), Variable("iIndex", INT), Variable("xValue", BOOL)
 _STEP, _WEIGHT, _IS_SET = Variable("iStep", INT), Variable("uiWeight", UINT), Variable("xIsSet", BOOL)
@@ -46,25 +35,13 @@ _INPUTS = (
 _LOCALS = tuple(Declared(variable, "local") for variable in (_STEP, _WEIGHT))
 
 
-def bit_routines(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Iterator[Routine]:
-    """The functions of a group: of the bits that can be read, and of those that can be written."""
-    read_registers = [register for register in registers if readable(register.register.access)]
-    writable_registers = [
-        register for register in registers if writable(register.register.access) or register.register.trigger
-    ]
-    if read_registers:
-        yield _unpacked(world, group, read_registers)
-    if writable_registers:
-        yield _packed(world, group, writable_registers)
-
-
 def single_bit_routines(world: World) -> Iterator[Routine]:
     """The functions that read a bit of a byte and change it."""
     name = world.routine("bit")
     body = (*_weighed(), Assignment(Variable(name, BOOL), _is_set()))
     yield Routine(name, "registers", BOOL, (*_INPUTS, *_LOCALS), body, ("Whether a bit of a byte is 1.",))
     name = world.routine("with_bit")
-    result, byte = Variable(name, USINT), Conversion(_BYTE, UINT)
+    result, byte = Variable(name, USINT), _BYTE.converted(UINT)
     changes = (
         (every([_VALUE, Negation(_IS_SET)]), (Assignment(result, _narrowed("+", byte)),)),
         (every([_IS_SET, Negation(_VALUE)]), (Assignment(result, _narrowed("-", byte)),)),
@@ -76,18 +53,18 @@ def single_bit_routines(world: World) -> Iterator[Routine]:
 
 def _weighed() -> tuple[Statement, ...]:
     """The statements that put 2 to the power of the bit's place into the local variable."""
-    twice = Assignment(_WEIGHT, Operation("*", (_WEIGHT, Whole(2, UINT)), UINT))
-    last = Operation("MOD", (_INDEX, number(8)), INT)
+    twice = Assignment(_WEIGHT, _WEIGHT.combined("*", 2))
+    last = _INDEX.combined("MOD", 8)
     return Assignment(_WEIGHT, Whole(1, UINT)), Loop(_STEP, number(1), last, (twice,))
 
 
 def _is_set() -> Expression:
-    share = Operation("/", (Conversion(_BYTE, UINT), _WEIGHT), UINT)
-    return compared(Operation("MOD", (share, Whole(2, UINT)), UINT), "=", Whole(1, UINT))
+    share = _BYTE.converted(UINT).combined("/", _WEIGHT)
+    return share.combined("MOD", 2).compared("=", 1)
 
 
 def _narrowed(operator: str, byte: Expression) -> Expression:
-    return Conversion(Operation(operator, (byte, _WEIGHT), UINT), USINT)
+    return byte.combined(operator, _WEIGHT).converted(USINT)
 
 
 def _about(group: RegisterGroup, registers: list[RegisterLayout]) -> str:
@@ -97,15 +74,16 @@ def _about(group: RegisterGroup, registers: list[RegisterLayout]) -> str:
     return f"{group.title or group.name.replace('_', ' ')}{section}: addresses {first}..{last}."
 
 
-def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+def bits_to_group(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+    """The function that unpacks the bits of a group."""
     draft = Draft(
+        world,
         world.routine("unpack", group.name),
         f"registers {group.name}",
-        world.status,
         f"Bits to struct: {_about(group, registers)}",
         "Each register whose bit is there is put into the struct; the others stay as they are.",
     )
-    bits_range = _range(world, group, draft, "is read only")
+    bits_range = _range(group, draft, "is read only")
     struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
     for register in registers:
 
@@ -114,20 +92,21 @@ def _unpacked(world: World, group: RegisterGroup, registers: list[RegisterLayout
             return [Assignment(variable, Call(world.routine("bit"), (("usiByte", byte), ("iIndex", index)), (), BOOL))]
 
         draft.add(bits_range.each(register, struct, None, read))
-    draft.refuse(compared(bits_range.taken, "=", number(0)), "not_covered")
+    draft.refuse(bits_range.taken.compared("=", 0), "not_covered")
     return draft.finished()
 
 
-def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+def group_to_bits(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
+    """The function that packs the bits of a group."""
     draft = Draft(
+        world,
         world.routine("pack", group.name),
         f"registers {group.name}",
-        world.status,
         f"Struct to bits: {_about(group, registers)}",
         "All requested bits must belong to writable registers. Other bits of the bytes do not change.",
     )
     struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
-    bits_range = _range(world, group, draft, "receives the bits")
+    bits_range = _range(group, draft, "receives the bits")
     for register in registers:
 
         def write(index: Expression, variable: Expression) -> list[Statement]:
@@ -136,15 +115,15 @@ def _packed(world: World, group: RegisterGroup, registers: list[RegisterLayout])
             return [Assignment(byte, Call(world.routine("with_bit"), inputs, (), USINT))]
 
         draft.add(bits_range.each(register, struct, None, write))
-    wrong = [compared(bits_range.count, "<=", number(0)), compared(bits_range.taken, "<>", bits_range.count)]
+    wrong = [bits_range.count.compared("<=", 0), bits_range.taken.compared("<>", bits_range.count)]
     draft.refuse(either(wrong), "not_covered")
     return draft.finished()
 
 
-def _range(world: World, group: RegisterGroup, draft: Draft, remark: str) -> RegisterRange:
-    array = Variable("aBits", world.bits)
-    return RegisterRange(world, group, draft, array, 8 * (world.bits.high + 1), "bit", remark)
+def _range(group: RegisterGroup, draft: Draft, remark: str) -> RegisterRange:
+    array = Variable("aBits", draft.world.bits)
+    return RegisterRange(draft.world, group, draft, array, 8 * (draft.world.bits.high + 1), "bit", remark)
 
 
 def _byte(array: Variable, index: Expression) -> Element:
-    return Element(array, Operation("/", (index, number(8)), INT), USINT)
+    return array.element(index.combined("/", 8))

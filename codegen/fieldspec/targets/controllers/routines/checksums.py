@@ -12,19 +12,13 @@ from fieldspec.targets.controllers.statements.expressions import (
     INT,
     UINT,
     WORD,
-    Conversion,
-    Element,
     Elementary,
     Expression,
-    Operation,
     Shift,
     Variable,
     Whole,
-    compared,
-    converted,
     every,
     number,
-    plus,
 )
 from fieldspec.targets.controllers.statements.routine import Assignment, Body, Declared, Loop, Routine, when
 
@@ -53,8 +47,8 @@ def checksum(world: World, algorithm: str) -> Routine:
     result = Variable(name, kind)
     later = world.begins_later(algorithm)
     locals_, body = make(frame, result, _FIRST if later else number(0))
-    fits: Expression = compared(_LENGTH, "<=", number(world.frame.high + 1))
-    fits = every([compared(_FIRST, ">=", number(0)), fits]) if later else fits
+    fits: Expression = _LENGTH.compared("<=", world.frame.high + 1)
+    fits = every([_FIRST.compared(">=", 0), fits]) if later else fits
     return Routine(
         name,
         "checks",
@@ -77,7 +71,7 @@ def checksum(world: World, algorithm: str) -> Routine:
 
 
 def _bytes(first: Expression, body: Body) -> Loop:
-    return Loop(_AT, first, plus(_LENGTH, -1), body)
+    return Loop(_AT, first, _LENGTH.plus(-1), body)
 
 
 def _crc(check: Checksum) -> _Make:
@@ -88,39 +82,35 @@ def _crc(check: Checksum) -> _Make:
     first_bit = 1 if is_reflected else 1 << width - 1
     moved: Expression = Shift("SHR" if is_reflected else "SHL", _CHECK, 1, WORD)
     if not is_reflected and width < 16:
-        moved = Operation("AND", (moved, Whole(check.mask, WORD)), WORD)
+        moved = moved.combined("AND", check.mask)
 
     def make(frame: Variable, result: Variable, first: Expression) -> tuple[tuple[Variable, ...], Body]:
-        carries = compared(Operation("AND", (_CHECK, Whole(first_bit, WORD)), WORD), "<>", Whole(0, WORD))
-        turned = Assignment(_CHECK, Operation("XOR", (moved, Whole(term, WORD)), WORD))
+        carries = _CHECK.combined("AND", first_bit).compared("<>", 0)
+        turned = Assignment(_CHECK, moved.combined("XOR", term))
         bits = Loop(_BIT, number(0), number(7), (when(carries, [turned], [Assignment(_CHECK, moved)]),))
-        byte = converted(Element(frame, _AT, BYTE), WORD)
+        byte = frame.element(_AT).converted(WORD)
         if not is_reflected and width > 8:
             byte = Shift("SHL", byte, width - 8, WORD)
-        final = _word_xor(_CHECK, check.final_xor) if check.final_xor else _CHECK
+        final = _CHECK.combined("XOR", check.final_xor) if check.final_xor else _CHECK
         return (_AT, _BIT, _CHECK), (
             Assignment(_CHECK, Whole(initial, WORD)),
-            _bytes(first, (Assignment(_CHECK, Operation("XOR", (_CHECK, byte), WORD)), bits)),
-            Assignment(result, final if width > 8 else Conversion(final, BYTE)),
+            _bytes(first, (Assignment(_CHECK, _CHECK.combined("XOR", byte)), bits)),
+            Assignment(result, final if width > 8 else final.converted(BYTE)),
         )
 
     return make
 
 
-def _word_xor(word: Expression, bits: int) -> Expression:
-    return Operation("XOR", (word, Whole(bits, WORD)), WORD)
-
-
 def _xor(check: Checksum) -> _Make:
     def make(frame: Variable, result: Variable, first: Expression) -> tuple[tuple[Variable, ...], Body]:
-        checked = Operation("XOR", (_CHECK, converted(Element(frame, _AT, BYTE), WORD)), WORD)
+        checked = _CHECK.combined("XOR", frame.element(_AT).converted(WORD))
         body = (Assignment(_CHECK, Whole(check.initial, WORD)), _bytes(first, (Assignment(_CHECK, checked),)))
         if check.complement == "twos":
-            rest = Operation("-", (Whole(256, UINT), Conversion(_CHECK, UINT)), UINT)
-            whole: Expression = Operation("MOD", (rest, Whole(256, UINT)), UINT)
+            rest = Whole(256, UINT).combined("-", _CHECK.converted(UINT))
+            whole: Expression = rest.combined("MOD", 256)
         else:
-            whole = _word_xor(_CHECK, 0xFF) if check.complement else _CHECK
-        return (_AT, _CHECK), (*body, Assignment(result, Conversion(whole, BYTE)))
+            whole = _CHECK.combined("XOR", 0xFF) if check.complement else _CHECK
+        return (_AT, _CHECK), (*body, Assignment(result, whole.converted(BYTE)))
 
     return make
 
@@ -129,11 +119,11 @@ def _sum(check: Checksum) -> _Make:
     def make(frame: Variable, result: Variable, first: Expression) -> tuple[tuple[Variable, ...], Body]:
         whole: Expression = _SUM
         if check.complement == "ones":
-            whole = Operation("-", (Whole(255, UINT), _SUM), UINT)
+            whole = Whole(255, UINT).combined("-", _SUM)
         if check.complement == "twos":
-            rest = Operation("-", (Whole(256, UINT), _SUM), UINT)
-            whole = Operation("MOD", (rest, Whole(256, UINT)), UINT)
-        return (_AT, _SUM), (*_summed(frame, first, check.initial), Assignment(result, Conversion(whole, BYTE)))
+            rest = Whole(256, UINT).combined("-", _SUM)
+            whole = rest.combined("MOD", 256)
+        return (_AT, _SUM), (*_summed(frame, first, check.initial), Assignment(result, whole.converted(BYTE)))
 
     return make
 
@@ -153,8 +143,8 @@ def _derived(check: Checksum) -> tuple[Elementary, str, _Make]:
 
 
 def _summed(frame: Variable, first: Expression, initial: int) -> Body:
-    term = Conversion(Element(frame, _AT, BYTE), UINT)
-    total = Operation("MOD", (Operation("+", (_SUM, term), UINT), Whole(256, UINT)), UINT)
+    term = frame.element(_AT).converted(UINT)
+    total = _SUM.combined("+", term).combined("MOD", 256)
     return Assignment(_SUM, Whole(initial, UINT)), _bytes(first, (Assignment(_SUM, total),))
 
 

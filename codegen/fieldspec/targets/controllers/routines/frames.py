@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.language.model.encoding import is_odd
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.holders import Bytes, Holder
 from fieldspec.targets.controllers.routines.values import Wire, read, write
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
@@ -15,21 +16,15 @@ from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     INT,
     UNSIGNED,
-    Conversion,
     Elementary,
     Expression,
-    Operation,
     Truth,
     Variable,
-    Whole,
-    compared,
-    converted,
     either,
     number,
     outside,
-    plus,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Draft, Routine, Statement, when
+from fieldspec.targets.controllers.statements.routine import Assignment, Routine, Statement, when
 
 _LENGTHS = {1: "byLength", 2: "wLength", 4: "dwLength"}
 _CHECKS = {1: "byCheck", 2: "wCheck"}
@@ -64,38 +59,38 @@ def frame_routines(world: World, link: LinkLayout) -> Iterator[Routine]:
 def _close(world: World, link: LinkLayout) -> Routine:
     shape = link.request
     draft = Draft(
+        world,
         world.routine("close", *link_words(world, link), "request"),
         f"frames of {link.name}",
-        world.status,
         f"Completes a request whose body lies from aFrame[{shape.header_size}] on. {_form(link)}",
     )
-    arguments = {part.name: _part_declared(draft, world, part, "input") for part in head_members(shape)}
+    arguments = {part.name: _part_declared(draft, part, "input") for part in head_members(shape)}
     kind = code_type(shape)
     code = draft.declare("uCode" if kind is None else f"{PREFIXES[kind.name]}Code", kind, "input") if kind else None
     body_length = draft.declare("iBodyLength", INT, "input", "bytes of the body")
     frame = draft.declare("aFrame", world.frame, "in_out")
     length = draft.declare(LENGTH, INT, "output", "bytes of the request")
     holder = Bytes(frame, number(0))
-    total = plus(body_length, shape.header_size + shape.trailer_size)
+    total = body_length.plus(shape.header_size + shape.trailer_size)
     draft.add([Assignment(length, number(0))])
     room = world.frame.high + 1
-    out_of_room = compared(total, ">", number(room))
-    draft.refuse(either([compared(body_length, "<", number(0)), out_of_room]), "no_room")
+    out_of_room = total.compared(">", room)
+    draft.refuse(either([body_length.compared("<", 0), out_of_room]), "no_room")
     for part in shape.header:
         if part.role != "checksum":
-            draft.add(_write_header_part(draft, world, link, shape, part, arguments, code, total, holder))
+            draft.add(_write_header_part(draft, link, shape, part, arguments, code, total, holder))
     check = shape.checksum
     trailing_parts = [part for part in shape.trailer if part is not check]
     if trailing_parts:
         tail = draft.local("iTail")
-        draft.add([Assignment(tail, plus(body_length, shape.header_size))])
+        draft.add([Assignment(tail, body_length.plus(shape.header_size))])
         for part in trailing_parts:
             draft.add(_write_constant(part, Bytes(frame, tail), part.offset + shape.trailer_size))
     if check is not None:
         total_size = shape.header_size + shape.trailer_size
 
         def place(index: int) -> Expression:
-            return number(index) if index >= 0 else plus(body_length, total_size + index)
+            return number(index) if index >= 0 else body_length.plus(total_size + index)
 
         position = draft.local("iAt")
         draft.add([Assignment(position, total if check.stop is None else place(check.stop))])
@@ -111,7 +106,6 @@ def _close(world: World, link: LinkLayout) -> Routine:
 
 def _write_header_part(
     draft: Draft,
-    world: World,
     link: LinkLayout,
     shape: FrameLayout,
     part: PartLayout,
@@ -124,11 +118,11 @@ def _write_header_part(
     if part.role == "length":
         raw = draft.local(_LENGTHS[wire.bits.size], wire.bits)
         units, tests = _units(shape, part, total)
-        greatest_length = (world.frame.high + 1 - part.base) // part.unit_size
+        greatest_length = (draft.world.frame.high + 1 - part.base) // part.unit_size
         if greatest_length > wire.value.type.high:
-            tests.append(compared(units, ">", number(wire.value.type.high)))
+            tests.append(units.compared(">", wire.value.type.high))
         refusals = [draft.refusal(either(tests), "wrong_length")] if tests else []
-        value = Conversion(units, wire.bits)
+        value = units.converted(wire.bits)
         return [*refusals, Assignment(raw, value), *holder.stored(part.offset, part.size, part.order, False, raw)]
     if part.role == "code":
         assert code is not None
@@ -142,10 +136,10 @@ def _write_header_part(
         intervals = [*addresses.ranges.intervals]
         if addresses.broadcast is not None and addresses.broadcast not in addresses.ranges:
             intervals.append((addresses.broadcast, addresses.broadcast))
-        wrong = outside(converted(source, wire.whole), intervals, wire.whole)
+        wrong = outside(source.converted(wire.whole), intervals)
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
-    return [*statements, *write(draft, world, wire, holder, part.offset, source)]
+    return [*statements, *write(draft, wire, holder.behind(part.offset), source)]
 
 
 def _write_constant(part: PartLayout, holder: Holder, offset: int) -> list[Statement]:
@@ -157,25 +151,25 @@ def _write_constant(part: PartLayout, holder: Holder, offset: int) -> list[State
 
 def _units(shape: FrameLayout, part: PartLayout, total: Expression) -> tuple[Expression, list[Expression]]:
     """The number in a length part of a frame of `total` bytes, and the conditions under which it has no such number."""
-    size_from_base = plus(total, -part.base)
+    size_from_base = total.plus(-part.base)
     tests: list[Expression] = (
-        [compared(size_from_base, "<", number(0))] if part.base > shape.header_size + shape.trailer_size else []
+        [size_from_base.compared("<", 0)] if part.base > shape.header_size + shape.trailer_size else []
     )
     if part.unit_size == 1:
         return size_from_base, tests
     size = number(part.unit_size)
-    tests.append(compared(Operation("MOD", (size_from_base, size), INT), "<>", number(0)))
-    return Operation("/", (size_from_base, size), INT), tests
+    tests.append(size_from_base.combined("MOD", size).compared("<>", 0))
+    return size_from_base.combined("/", size), tests
 
 
 def _stored(draft: Draft, wire: Wire, holder: Holder, part: PartLayout, source: Variable) -> list[Statement]:
     if part.size == 1:
-        return holder.stored(part.offset, 1, part.order, False, converted(source, wire.bits))
+        return holder.stored(part.offset, 1, part.order, False, source.converted(wire.bits))
     raw = draft.local("wRaw", wire.bits)
-    too_large = outside(source, [(0, wire.value.type.high)], wire.whole) if is_odd(wire.value.encoding) else None
+    too_large = outside(source, [(0, wire.value.type.high)]) if is_odd(wire.value.encoding) else None
     return [
         *([] if too_large is None else [draft.refusal(too_large, "unknown_code")]),
-        Assignment(raw, converted(source, wire.bits)),
+        Assignment(raw, source.converted(wire.bits)),
         *holder.stored(part.offset, part.size, part.order, False, raw),
     ]
 
@@ -183,14 +177,14 @@ def _stored(draft: Draft, wire: Wire, holder: Holder, part: PartLayout, source: 
 def _open(world: World, link: LinkLayout) -> Routine:
     shape = link.response
     draft = Draft(
+        world,
         world.routine("open", *link_words(world, link), "response"),
         f"frames of {link.name}",
-        world.status,
         f"Checks a response and finds its body. {_form(link)}",
     )
     length = draft.declare(LENGTH, INT, "input", "bytes of the response")
     frame = draft.declare("aFrame", world.frame, "in_out", "is read only")
-    outputs = {part.name: _part_declared(draft, world, part, "output") for part in head_members(shape)}
+    outputs = {part.name: _part_declared(draft, part, "output") for part in head_members(shape)}
     kind = code_type(shape)
     error = link.link.exception_response
     flag = "" if error is None else ", without the flag of an exception"
@@ -203,41 +197,41 @@ def _open(world: World, link: LinkLayout) -> Routine:
     draft.add([Assignment(body, number(shape.header_size)), Assignment(body_length, number(0))])
     if refused is not None:
         draft.add([Assignment(refused, Truth(False))])
-    draft.refuse(compared(length, "<", number(shortest)), "incomplete")
-    draft.refuse(compared(length, ">", number(world.frame.high + 1)), "no_room")
+    draft.refuse(length.compared("<", shortest), "incomplete")
+    draft.refuse(length.compared(">", world.frame.high + 1), "no_room")
     for length_part in shape.lengths:
         draft.refuse(_length_differs(world, shape, length_part, holder, length), "wrong_length")
     check = shape.checksum
     if check is not None:
 
         def place(index: int) -> Expression:
-            return number(index) if index >= 0 else plus(length, index)
+            return number(index) if index >= 0 else length.plus(index)
 
         position = draft.local("iAt")
         draft.add([Assignment(position, place(check.offset))])
         received_check = Bytes(frame, position).number(0, check.size, check.order, False)
         stop = position if check.stop == check.offset else length if check.stop is None else place(check.stop)
         wide = world.checksum(check.algorithm, stop, frame, place(check.start))
-        draft.refuse(compared(wide, "<>", received_check), "wrong_checksum")
+        draft.refuse(wide.compared("<>", received_check), "wrong_checksum")
     for part in shape.header:
         if part.role not in ("length", "code", "checksum") and not part.reserved:
             target = outputs.get(part.name)
-            draft.add(read(draft, world, wire_of(part), holder, part.offset, target))
+            draft.add(read(draft, wire_of(part), holder.behind(part.offset), target))
     trailing_parts = [part for part in shape.trailer if part is not check and not part.reserved]
     if trailing_parts:
         tail = draft.local("iTail")
-        draft.add([Assignment(tail, plus(length, -shape.trailer_size))])
+        draft.add([Assignment(tail, length.plus(-shape.trailer_size))])
         for part in trailing_parts:
             offset = part.offset + shape.trailer_size
-            draft.add(read(draft, world, wire_of(part), Bytes(frame, tail), offset, None))
+            draft.add(read(draft, wire_of(part), Bytes(frame, tail, offset), None))
     coded = shape.role("code")
     if coded is not None and code is not None:
         draft.add(_code_read(link, coded, holder, code, refused))
     if error is not None and error.normal is not None and refused is not None:
         part = next(part for part in shape.header if part.name == error.part)
-        other = outside(converted(outputs[part.name], wire_of(part).whole), error.normal.intervals, wire_of(part).whole)
+        other = outside(outputs[part.name].converted(wire_of(part).whole), error.normal.intervals)
         draft.add([Assignment(refused, other if other is not None else Truth(False))])
-    draft.add([Assignment(body_length, plus(length, -shortest))])
+    draft.add([Assignment(body_length, length.plus(-shortest))])
     return draft.finished()
 
 
@@ -247,11 +241,11 @@ def _length_differs(world: World, shape: FrameLayout, part: PartLayout, holder: 
     bits = holder.number(part.offset, part.size, part.order, False)
     if (part.unit_size, part.base) == (1, 0) and part.size < 3:
         # A number of two bytes that INT does not hold becomes a negative one, which no length is.
-        return compared(Conversion(bits, INT), "<>", length)
+        return bits.converted(INT).compared("<>", length)
     units, tests = _units(shape, part, length)
     if (world.frame.high + 1 - part.base) // part.unit_size > wire.value.type.high:
-        tests.append(compared(units, ">", number(wire.value.type.high)))
-    return either([*tests, compared(bits, "<>", Conversion(units, wire.bits))])
+        tests.append(units.compared(">", wire.value.type.high))
+    return either([*tests, bits.compared("<>", units.converted(wire.bits))])
 
 
 def _code_read(
@@ -259,24 +253,24 @@ def _code_read(
 ) -> list[Statement]:
     bits = holder.number(part.offset, part.size, part.order, False)
     assert isinstance(code.type, Elementary)
-    statements: list[Statement] = [Assignment(code, Conversion(bits, code.type))]
+    statements: list[Statement] = [Assignment(code, bits.converted(code.type))]
     error = link.link.exception_response
     if error is not None and refused is not None and error.code is not None:
-        statements.append(Assignment(refused, compared(code, "=", Whole(error.code, code.type))))
+        statements.append(Assignment(refused, code.compared("=", error.code)))
     if error is not None and refused is not None and error.flag:
         assert isinstance(bits.type, Elementary)
-        marked = compared(Operation("AND", (bits, Whole(error.flag, bits.type)), bits.type), "<>", Whole(0, bits.type))
-        without = Operation("AND", (bits, Whole(bits.type.high & ~error.flag, bits.type)), bits.type)
+        marked = bits.combined("AND", error.flag).compared("<>", 0)
+        without = bits.combined("AND", bits.type.high & ~error.flag)
         statements.append(
-            when(marked, [Assignment(refused, Truth(True)), Assignment(code, Conversion(without, code.type))])
+            when(marked, [Assignment(refused, Truth(True)), Assignment(code, without.converted(code.type))])
         )
     return statements
 
 
-def _part_declared(draft: Draft, world: World, part: PartLayout, role: str) -> Variable:
+def _part_declared(draft: Draft, part: PartLayout, role: str) -> Variable:
     wire = wire_of(part)
-    kind = world.type_of(wire.value)
-    return draft.declare(world.variable(part.name, kind), kind, role, world.comment(part.part, wire.value))
+    kind = draft.world.type_of(wire.value)
+    return draft.declare(draft.world.variable(part.name, kind), kind, role, draft.world.comment(part.part, wire.value))
 
 
 def _form(link: LinkLayout) -> str:

@@ -3,150 +3,95 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Protocol, TypeVar
+from typing import ClassVar, TypeAlias
 
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.targets.controllers.statements.expressions import (
-    BYTE,
-    WORD,
-    Element,
-    Expression,
-    Operation,
-    Whole,
-    converted,
-    joined,
-    part,
-    plus,
-)
+from fieldspec.targets.controllers.statements.expressions import BYTE, WORD, Expression, Whole, joined, part
 from fieldspec.targets.controllers.statements.routine import Assignment, Statement
 from fieldspec.targets.controllers.structs import places
-
-Self = TypeVar("Self", bound="Holder")
-
-
-class Holder(Protocol):
-    """An array, the index of one of its elements, and the offset of a record after that element."""
-
-    @property
-    def unit(self) -> int:
-        """The number of bytes in an element of the array."""
-        ...
-
-    def behind(self: Self, offset: int) -> Self:
-        """The same array from some bytes further on: the offset is added to that of the record."""
-        ...
-
-    def moved(self: Self, first: Expression) -> Self:
-        """The same array with a record that begins at another index."""
-        ...
-
-    def index(self) -> Expression | None:
-        """The index of the element where the record begins, None where that is within an element."""
-        ...
-
-    def number(self, offset: int, size: int, order: str, swapped: bool) -> Expression:
-        """The bit string of a number of `size` bytes at an offset in the record."""
-        ...
-
-    def stored(self, offset: int, size: int, order: str, swapped: bool, bits: Expression) -> list[Statement]:
-        """The statements that store a bit string at an offset; `bits` is a variable or a literal."""
-        ...
-
-    def byte(self, offset: int) -> Expression:
-        """The byte at an offset in the record."""
-        ...
-
-    def byte_stored(self, offset: int, byte: Expression) -> Statement:
-        """The statement that stores a byte at an offset in the record."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)
 class Bytes:
-    """A holder whose array has bytes as elements."""
+    """An array of bytes, the index of one of them, and the offset of a record after it.
 
+    `unit` is the number of bytes in an element.
+    """
+
+    unit: ClassVar[int] = 1
     array: Expression
     first: Expression
     start: int = 0
 
-    @property
-    def unit(self) -> int:
-        """See `Holder`."""
-        return 1
-
     def behind(self, offset: int) -> Bytes:
-        """See `Holder`."""
+        """The same array from some bytes further on: the offset is added to that of the record."""
         return replace(self, start=self.start + offset)
 
     def moved(self, first: Expression) -> Bytes:
-        """See `Holder`."""
+        """The same array with a record that begins at another index."""
         return Bytes(self.array, first)
 
     def index(self) -> Expression:
-        """See `Holder`."""
-        return plus(self.first, self.start)
+        """The index of the element where the record begins, None where that is within an element."""
+        return self.first.plus(self.start)
 
     def byte(self, offset: int) -> Expression:
-        """See `Holder`."""
-        return Element(self.array, plus(self.first, self.start + offset), BYTE)
+        """The byte at an offset in the record."""
+        return self.array.element(self.first.plus(self.start + offset))
 
     def byte_stored(self, offset: int, byte: Expression) -> Statement:
-        """See `Holder`."""
+        """The statement that stores a byte at an offset in the record."""
         return Assignment(self.byte(offset), byte)
 
     def number(self, offset: int, size: int, order: str, swapped: bool) -> Expression:
-        """See `Holder`."""
+        """The bit string of a number of `size` bytes at an offset in the record."""
         parts = [(self.byte(offset + index), bits) for index, bits in enumerate(places(size, order, swapped))]
         return joined(_highest_first(parts), size)
 
     def stored(self, offset: int, size: int, order: str, swapped: bool, bits: Expression) -> list[Statement]:
-        """See `Holder`."""
+        """The statements that store a bit string at an offset; `bits` is a variable or a literal."""
         steps = enumerate(places(size, order, swapped))
         return [self.byte_stored(offset + index, _part(bits, moved, 1)) for index, moved in steps]
 
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """An array of words; `order` is that of the two bytes on the wire that each one was put together from."""
+    """An array of words, an index and an offset as of bytes; `order` is the order of a word's bytes on the wire."""
 
+    unit: ClassVar[int] = 2
     array: Expression
     first: Expression
     order: str
     start: int = 0
 
-    @property
-    def unit(self) -> int:
-        """See `Holder`."""
-        return 2
-
     def behind(self, offset: int) -> Words:
-        """See `Holder`."""
+        """The same array from some bytes further on: the offset is added to that of the record."""
         return replace(self, start=self.start + offset)
 
     def moved(self, first: Expression) -> Words:
-        """See `Holder`."""
+        """The same array with a record that begins at another index."""
         return Words(self.array, first, self.order)
 
     def index(self) -> Expression | None:
-        """See `Holder`."""
-        return None if self.start % 2 else plus(self.first, self.start // 2)
+        """The index of the element where the record begins, None where that is within an element."""
+        return None if self.start % 2 else self.first.plus(self.start // 2)
 
     def _word(self, offset: int) -> Expression:
-        return Element(self.array, plus(self.first, (self.start + offset) // 2), WORD)
+        return self.array.element(self.first.plus((self.start + offset) // 2))
 
     def _above(self, offset: int) -> bool:
         """Whether a byte is the more significant one of its word."""
         return ((self.start + offset) % 2 == 0) == (self.order == "big")
 
     def byte(self, offset: int) -> Expression:
-        """See `Holder`."""
+        """The byte at an offset in the record."""
         return part(self._word(offset), 8 if self._above(offset) else 0, BYTE)
 
     def byte_stored(self, offset: int, byte: Expression) -> Statement:
-        """See `Holder`. The other byte of the word stays as it is."""
+        """The statement that stores a byte at an offset in the record. The other byte of the word stays as it is."""
         word, above = self._word(offset), self._above(offset)
-        other_byte = Operation("AND", (word, Whole(0x00FF if above else 0xFF00, WORD)), WORD)
-        return Assignment(word, Operation("OR", (other_byte, joined([(byte, 8 if above else 0)], 2)), WORD))
+        other_byte = word.combined("AND", 0x00FF if above else 0xFF00)
+        return Assignment(word, other_byte.combined("OR", joined([(byte, 8 if above else 0)], 2)))
 
     def _steps(self, offset: int, size: int, order: str, swapped: bool) -> list[int] | None:
         """By how many bits each word is moved, None where the value does not consist of whole words as they are."""
@@ -156,7 +101,7 @@ class Words:
         return steps if (order == "big") == swapped else steps[::-1]
 
     def number(self, offset: int, size: int, order: str, swapped: bool) -> Expression:
-        """See `Holder`."""
+        """The bit string of a number of `size` bytes at an offset in the record."""
         steps = self._steps(offset, size, order, swapped)
         if steps is None:
             parts = [(self.byte(offset + index), bits) for index, bits in enumerate(places(size, order, swapped))]
@@ -165,12 +110,16 @@ class Words:
         return joined(_highest_first(parts), size)
 
     def stored(self, offset: int, size: int, order: str, swapped: bool, bits: Expression) -> list[Statement]:
-        """See `Holder`."""
+        """The statements that store a bit string at an offset; `bits` is a variable or a literal."""
         steps = self._steps(offset, size, order, swapped)
         if steps is None:
             bytewise = enumerate(places(size, order, swapped))
             return [self.byte_stored(offset + index, _part(bits, moved, 1)) for index, moved in bytewise]
         return [Assignment(self._word(offset + 2 * index), _part(bits, moved, 2)) for index, moved in enumerate(steps)]
+
+
+Holder: TypeAlias = Bytes | Words
+"""An array, the index of one of its elements, and the offset of a record after that element."""
 
 
 def _highest_first(parts: Iterable[tuple[Expression, int]]) -> list[tuple[Expression, int]]:
@@ -182,4 +131,4 @@ def _part(bits: Expression, moved: int, size: int) -> Expression:
     kind = BYTE if size == 1 else WORD
     if isinstance(bits, Whole):
         return Whole(bits.value >> moved & kind.high, kind)
-    return part(bits, moved, kind) if moved else converted(bits, kind)
+    return part(bits, moved, kind) if moved else bits.converted(kind)

@@ -9,13 +9,11 @@ from fieldspec.language.model.encoding import Whole as WholeNumber
 from fieldspec.targets.controllers.routines.world import PREFIXES, World, bits_name, encodings_of, magnitude_name
 from fieldspec.targets.controllers.statements.expressions import (
     BITS,
-    Conversion,
     Elementary,
     Expression,
     Operation,
     Variable,
     Whole,
-    compared,
 )
 from fieldspec.targets.controllers.statements.numbers import whole_type
 from fieldspec.targets.controllers.statements.routine import Assignment, Declared, Routine, when
@@ -43,10 +41,10 @@ def _from_bits(world: World, whole: WholeNumber) -> Routine:
         kind,
         (Declared(bits, "input"), Declared(number, "local")),
         (
-            Assignment(number, Conversion(_and(bits, sign - 1, word), kind)),
+            Assignment(number, _and(bits, sign - 1, word).converted(kind)),
             when(
-                compared(_and(bits, sign, word), "<>", Whole(0, word)),
-                [Assignment(number, Operation("-", (Whole(0, kind), number), kind))],
+                _and(bits, sign, word).compared("<>", 0),
+                [Assignment(number, Whole(0, kind).combined("-", number))],
             ),
             Assignment(result, number),
         ),
@@ -59,7 +57,7 @@ def _to_bits(world: World, whole: WholeNumber) -> Routine:
     name = world.routine(magnitude_name(whole), "from_number")
     number, result = Variable(f"{PREFIXES[kind.name]}Value", kind), Variable(name, word)
     bits = Variable(bits_name(whole), word)
-    magnitude = Operation("-", (Whole(0, kind), number), kind)
+    magnitude = Whole(0, kind).combined("-", number)
     sign = Whole(1 << (whole.bits - 1), word)
     low, high = whole.bounds
     return Routine(
@@ -69,9 +67,9 @@ def _to_bits(world: World, whole: WholeNumber) -> Routine:
         (Declared(number, "input"), Declared(bits, "local")),
         (
             when(
-                compared(number, "<", Whole(0, kind)),
-                [Assignment(bits, Operation("OR", (Conversion(magnitude, word), sign), word))],
-                [Assignment(bits, Conversion(number, word))],
+                number.compared("<", 0),
+                [Assignment(bits, magnitude.converted(word).combined("OR", sign))],
+                [Assignment(bits, number.converted(word))],
             ),
             Assignment(result, bits),
         ),
@@ -80,4 +78,4 @@ def _to_bits(world: World, whole: WholeNumber) -> Routine:
 
 
 def _and(bits: Expression, mask: int, word: Elementary) -> Operation:
-    return Operation("AND", (bits, Whole(mask, word)), word)
+    return bits.combined("AND", mask)

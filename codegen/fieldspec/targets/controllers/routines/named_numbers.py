@@ -31,14 +31,14 @@ def mask_of(bit: Bit, kind: Elementary) -> Whole:
 
 def image_of(bit: Bit, word: Expression, kind: Elementary) -> Expression:
     """The bits of a field in a word of a type of bits, in the form that its `images` have."""
-    return joined_bits(bit, word, kind) if bit.pieces else Operation("AND", (word, Whole(bit.mask, kind)), kind)
+    return joined_bits(bit, word, kind) if bit.pieces else word.combined("AND", bit.mask)
 
 
 def joined_bits(bit: Bit, word: Expression, kind: Elementary) -> Expression:
     """The bits of a field in a word of a type of bits, beside each other, where they lie apart."""
     parts: list[Expression] = []
     for run in bit.runs:
-        masked = Operation("AND", (word, Whole(run.most << run.first, kind, True)), kind)
+        masked = word.combined("AND", Whole(run.most << run.first, kind, True))
         moved = run.weight - run.first
         parts.append(Shift("SHL" if moved > 0 else "SHR", masked, abs(moved), kind) if moved else masked)
     return Operation("OR", tuple(parts), kind)

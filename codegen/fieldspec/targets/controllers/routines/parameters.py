@@ -8,6 +8,7 @@ from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.frames import head_members, wire_of
 from fieldspec.targets.controllers.routines.records import choice_type, field_type, is_user_field
 from fieldspec.targets.controllers.routines.world import World
@@ -16,14 +17,11 @@ from fieldspec.targets.controllers.statements.expressions import (
     INT,
     ArrayType,
     Expression,
-    Operation,
     StructType,
     Type,
     Variable,
     number,
-    plus,
 )
-from fieldspec.targets.controllers.statements.routine import Draft
 
 FRAME = "aFrame"
 
@@ -58,41 +56,43 @@ class Parameters:
     refusal: Fields | None = None
 
 
-def request_parameters(draft: Draft, world: World, link: LinkLayout, message: MessageLayout) -> Parameters:
+def request_parameters(draft: Draft, link: LinkLayout, message: MessageLayout) -> Parameters:
     """Declares the inputs of the function that builds a request."""
-    head = _head(draft, world, link.request, "input")
-    return Parameters(head, _fields(draft, world, message, message.request, "input"))
+    head = _head(draft, link.request, "input")
+    return Parameters(head, _fields(draft, message, message.request, "input"))
 
 
-def response_parameters(draft: Draft, world: World, link: LinkLayout, message: MessageLayout) -> Parameters:
+def response_parameters(draft: Draft, link: LinkLayout, message: MessageLayout) -> Parameters:
     """Declares the outputs of the function that parses a response."""
-    head = _head(draft, world, link.response, "output")
-    fields = _fields(draft, world, message, message.response, "output")
+    head = _head(draft, link.response, "output")
+    fields = _fields(draft, message, message.response, "output")
     error = link.link.exception_response
     if error is None:
         return Parameters(head, fields)
-    return Parameters(head, fields, _fields(draft, world, message, world.layout.records[error.record], "output"))
+    return Parameters(head, fields, _fields(draft, message, draft.world.layout.records[error.record], "output"))
 
 
 def parameters_of(world: World, link: LinkLayout, message: MessageLayout) -> tuple[Parameters, Parameters]:
     """The parameters of the functions that build the request and parse the response of a message."""
-    asking, answering = Draft("", "", world.status), Draft("", "", world.status)
+    asking, answering = Draft(world, "", ""), Draft(world, "", "")
     answering.declare(LENGTH, INT, "input")
     answering.declare(FRAME, world.frame, "in_out")
-    return request_parameters(asking, world, link, message), response_parameters(answering, world, link, message)
+    return request_parameters(asking, link, message), response_parameters(answering, link, message)
 
 
-def _head(draft: Draft, world: World, shape: FrameLayout, role: str) -> dict[str, Variable]:
+def _head(draft: Draft, shape: FrameLayout, role: str) -> dict[str, Variable]:
     """Parameters for the parts before the body."""
     head = {}
     for part in head_members(shape):
         value = wire_of(part).value
-        kind = world.type_of(value)
-        head[part.name] = draft.declare(world.variable(part.name, kind), kind, role, world.comment(part.part, value))
+        kind = draft.world.type_of(value)
+        head[part.name] = draft.declare(
+            draft.world.variable(part.name, kind), kind, role, draft.world.comment(part.part, value)
+        )
     return head
 
 
-def _fields(draft: Draft, world: World, message: MessageLayout, record: RecordLayout, role: str) -> Fields:
+def _fields(draft: Draft, message: MessageLayout, record: RecordLayout, role: str) -> Fields:
     """Parameters for the fields of a record: arrays and structs are passed by reference, the others are inputs or
     outputs.
     """
@@ -101,16 +101,16 @@ def _fields(draft: Draft, world: World, message: MessageLayout, record: RecordLa
     for field in record.fields:
         if not is_user_field(field):
             continue
-        kind = _type(world, message, field)
+        kind = _type(draft.world, message, field)
         lent = isinstance(kind, ArrayType | StructType)
-        remark = world.comment(field.field, field.value)
+        remark = draft.world.comment(field.field, field.value)
         if lent and role == "input":
             remark = f"is read only. {remark}".strip()
-        name = world.variable(field.name, kind)
+        name = draft.world.variable(field.name, kind)
         variables[field.name] = draft.declare(name, kind, "in_out" if lent else role, remark)
         if field.field.repeat is not None:
             text = f"how many of them: {field.field.repeat.text()}"
-            count = draft.declare(f"{world.variable(field.name, INT)}Count", INT, role, text)
+            count = draft.declare(f"{draft.world.variable(field.name, INT)}Count", INT, role, text)
     return Fields(variables, count)
 
 
@@ -134,5 +134,5 @@ def measure(record: RecordLayout, field: FieldLayout, count: Expression | None, 
     if other.field.repeat is None or count is None:
         return number(measured.number(other.count or 1, other.size))
     if measured.of != "bytes" or element == number(1):
-        return plus(count, measured.plus)
-    return plus(Operation("*", (count, element), INT), measured.plus)
+        return count.plus(measured.plus)
+    return count.combined("*", element).plus(measured.plus)

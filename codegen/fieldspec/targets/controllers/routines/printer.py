@@ -101,9 +101,6 @@ def declaration(routine: Routine, spelling: Spelling) -> list[str]:
     spelling = named(routine, spelling)
     form = spelling.comment
     lines = [line for paragraph in routine.remarks for line in comment(paragraph, form=form)]
-    if routine.example:
-        example = ["", "Example:", *(f"{_STEP}{line}"[1:] for line in routine.example)]
-        lines += [form.format(line).rstrip() for line in example]
     name = spelling.routine.format(routine.name)
     if routine.returns is None:
         lines.append(f"FUNCTION_BLOCK {name}")

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Precision, Real, significant_bits
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.world import World, encodings_of, real_words, values_of
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
@@ -17,30 +18,18 @@ from fieldspec.targets.controllers.statements.expressions import (
     UDINT,
     UINT,
     WORD,
-    Conversion,
     Elementary,
     Expression,
     Fraction,
     Negation,
-    Operation,
     Shift,
     Variable,
     Whole,
-    compared,
     either,
     every,
     number,
-    plus,
 )
-from fieldspec.targets.controllers.statements.routine import (
-    Assignment,
-    Condition,
-    Draft,
-    Loop,
-    Routine,
-    Statement,
-    when,
-)
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Loop, Routine, Statement, when
 
 
 def real_routines(world: World) -> Iterator[Routine]:
@@ -105,7 +94,7 @@ def outside_precision(precision: Precision, value: Expression) -> Expression | N
     match precision:
         case Precision.HALF:
             # The greatest number is 65504, and what is at least half a step greater is rounded to the next one.
-            return either([compared(value, ">=", _real("65520.0")), compared(value, "<=", _real("-65520.0"))])
+            return either([value.compared(">=", _real("65520.0")), value.compared("<=", _real("-65520.0"))])
         case Precision.SINGLE | Precision.DOUBLE:
             return None
         case _:
@@ -120,9 +109,9 @@ def _from_bits(world: World, precision: Precision) -> Routine:
     form = _form(precision)
     words, bits_name = real_words(precision)
     draft = Draft(
+        world,
         world.routine("real_from", *words),
         "numbers",
-        world.status,
         f"The number whose {precision.value} bits by IEEE 754 are given. Infinities, and what is not a number, are"
         " refused.",
     )
@@ -131,28 +120,28 @@ def _from_bits(world: World, precision: Precision) -> Routine:
     exponent, index = draft.local("iExponent"), draft.local("iAt")
     fraction = draft.local(form.fraction_name, form.unsigned)
     mask = form.literal((1 << form.fraction) - 1)
-    field = Operation("AND", (Shift("SHR", bits, form.fraction, form.bits), form.literal(form.last)), form.bits)
+    field = Shift("SHR", bits, form.fraction, form.bits).combined("AND", form.literal(form.last))
     draft.add(
         [
             Assignment(value, _real("0.0")),
-            Assignment(exponent, Conversion(field, INT)),
-            Assignment(fraction, Conversion(Operation("AND", (bits, mask), form.bits), form.unsigned)),
+            Assignment(exponent, field.converted(INT)),
+            Assignment(fraction, bits.combined("AND", mask).converted(form.unsigned)),
         ]
     )
-    draft.refuse(compared(exponent, "=", number(form.last)), "no_number")
-    hidden = Operation("+", (fraction, Whole(1 << form.fraction, form.unsigned)), form.unsigned)
-    zero = compared(exponent, "=", number(0))
+    draft.refuse(exponent.compared("=", form.last), "no_number")
+    hidden = fraction.combined("+", 1 << form.fraction)
+    zero = exponent.compared("=", 0)
     draft.add(
         [
             when(zero, [Assignment(exponent, number(1))], [Assignment(fraction, hidden)]),
-            Assignment(value, Conversion(fraction, REAL)),
-            Assignment(exponent, plus(exponent, -form.bias - form.fraction)),
-            Loop(index, number(1), exponent, (Assignment(value, Operation("*", (value, _real("2.0")), REAL)),)),
-            Assignment(exponent, Operation("-", (number(0), exponent), INT)),
-            Loop(index, number(1), exponent, (Assignment(value, Operation("/", (value, _real("2.0")), REAL)),)),
+            Assignment(value, fraction.converted(REAL)),
+            Assignment(exponent, exponent.plus(-form.bias - form.fraction)),
+            Loop(index, number(1), exponent, (Assignment(value, value.combined("*", _real("2.0"))),)),
+            Assignment(exponent, number(0).combined("-", exponent)),
+            Loop(index, number(1), exponent, (Assignment(value, value.combined("/", _real("2.0"))),)),
             when(
-                compared(Operation("AND", (bits, form.sign), form.bits), "<>", form.literal(0)),
-                [Assignment(value, Operation("-", (_real("0.0"), value), REAL))],
+                bits.combined("AND", form.sign).compared("<>", form.literal(0)),
+                [Assignment(value, _real("0.0").combined("-", value))],
             ),
         ]
     )
@@ -165,9 +154,9 @@ def _to_bits(world: World, precision: Precision) -> Routine:
     exceeding = outside_precision(precision, Variable("rValue", REAL))
     rounded = "" if exceeding is None else "rounded to the nearest, of two to the even one. "
     draft = Draft(
+        world,
         world.routine(*words, "from_real"),
         "numbers",
-        world.status,
         f"The {precision.value} bits of a number by IEEE 754{', ' * bool(rounded)}{rounded or '. '}"
         "Infinities, and what is not a number, are refused.",
     )
@@ -180,31 +169,31 @@ def _to_bits(world: World, precision: Precision) -> Routine:
     zero = _real("0.0")
     two, unit = _real("2.0"), _real("1.0")
     # Only what is not a number is none of these; only an infinity is its own half.
-    ordered = either([compared(value, "<", zero), compared(value, "=", zero), compared(value, ">", zero)])
-    half = Operation("/", (value, two), REAL)
+    ordered = either([value.compared("<", zero), value.compared("=", zero), value.compared(">", zero)])
+    half = value.combined("/", two)
     draft.add(
         [
             Assignment(bits, form.literal(0)),
-            Assignment(negative, compared(value, "<", zero)),
+            Assignment(negative, value.compared("<", zero)),
             Assignment(rest, value),
-            when(negative, [Assignment(rest, Operation("-", (zero, value), REAL))]),
+            when(negative, [Assignment(rest, zero.combined("-", value))]),
         ]
     )
 
     draft.refuse(Negation(ordered), "no_number")
-    draft.refuse(every([compared(rest, ">", unit), compared(half, "=", value)]), "no_number")
+    draft.refuse(every([rest.compared(">", unit), half.compared("=", value)]), "no_number")
     if exceeding is not None:
         draft.refuse(exceeding, "out_of_range")
-    draft.add([when(compared(rest, "=", zero), [*draft.status.give(draft.result, "ok")])])
+    draft.add([when(rest.compared("=", zero), [*draft.status.give(draft.result, "ok")])])
     shrink = when(
-        compared(rest, ">=", two),
-        [Assignment(rest, Operation("/", (rest, two), REAL)), Assignment(exponent, plus(exponent, 1))],
+        rest.compared(">=", two),
+        [Assignment(rest, rest.combined("/", two)), Assignment(exponent, exponent.plus(1))],
     )
     grow = when(
-        every([compared(rest, "<", unit), compared(exponent, ">", number(1))]),
-        [Assignment(rest, Operation("*", (rest, two), REAL)), Assignment(exponent, plus(exponent, -1))],
+        every([rest.compared("<", unit), exponent.compared(">", 1)]),
+        [Assignment(rest, rest.combined("*", two)), Assignment(exponent, exponent.plus(-1))],
     )
-    scaled = Operation("*", (rest, _real(f"{1 << form.fraction}.0")), REAL)
+    scaled = rest.combined("*", _real(f"{1 << form.fraction}.0"))
     hidden = Whole(1 << form.fraction, DINT)
     draft.add(
         [
@@ -212,25 +201,20 @@ def _to_bits(world: World, precision: Precision) -> Routine:
             Loop(index, number(1), number(form.bias), (shrink,)),
             Loop(index, number(1), number(form.bias), (grow,)),
             *([] if exceeding is None else [Assignment(rest, scaled)]),
-            Assignment(fraction, Conversion(scaled if exceeding is None else rest, DINT)),
+            Assignment(fraction, (scaled if exceeding is None else rest).converted(DINT)),
             *([] if exceeding is None else _to_nearest(draft, rest, fraction, exponent, hidden)),
             when(
-                compared(fraction, ">=", hidden),
-                [Assignment(fraction, Operation("-", (fraction, hidden), DINT))],
+                fraction.compared(">=", hidden),
+                [Assignment(fraction, fraction.combined("-", hidden))],
                 [Assignment(exponent, number(0))],
             ),
             Assignment(
                 bits,
-                Operation(
-                    "OR",
-                    (
-                        Shift("SHL", Conversion(exponent, form.bits), form.fraction, form.bits),
-                        Conversion(fraction, form.bits),
-                    ),
-                    form.bits,
+                Shift("SHL", exponent.converted(form.bits), form.fraction, form.bits).combined(
+                    "OR", fraction.converted(form.bits)
                 ),
             ),
-            when(negative, [Assignment(bits, Operation("OR", (bits, form.sign), form.bits))]),
+            when(negative, [Assignment(bits, bits.combined("OR", form.sign))]),
         ]
     )
     return draft.finished()
@@ -241,19 +225,19 @@ def _to_nearest(
 ) -> list[Statement]:
     """The statements that round a fraction, however the dialect converts, and carry into the exponent."""
     rest = draft.local("rFraction", REAL)
-    odd = compared(Operation("MOD", (fraction, Whole(2, DINT)), DINT), "<>", Whole(0, DINT))
+    odd = fraction.combined("MOD", 2).compared("<>", 0)
     half, less = _real("0.5"), _real("-0.5")
-    up = either([compared(rest, ">", half), every([compared(rest, "=", half), odd])])
-    down = either([compared(rest, "<", less), every([compared(rest, "=", less), odd])])
+    up = either([rest.compared(">", half), every([rest.compared("=", half), odd])])
+    down = either([rest.compared("<", less), every([rest.compared("=", less), odd])])
     unit, full = Whole(1, DINT), Whole(2 * hidden.value, DINT)
-    carried: list[Statement] = [Assignment(fraction, hidden), Assignment(exponent, plus(exponent, 1))]
+    carried: list[Statement] = [Assignment(fraction, hidden), Assignment(exponent, exponent.plus(1))]
     return [
-        Assignment(rest, Operation("-", (exact, Conversion(fraction, REAL)), REAL)),
+        Assignment(rest, exact.combined("-", fraction.converted(REAL))),
         Condition(
             (
-                (up, (Assignment(fraction, Operation("+", (fraction, unit), DINT)),)),
-                (down, (Assignment(fraction, Operation("-", (fraction, unit), DINT)),)),
+                (up, (Assignment(fraction, fraction.combined("+", unit)),)),
+                (down, (Assignment(fraction, fraction.combined("-", unit)),)),
             )
         ),
-        when(compared(fraction, "=", full), carried),
+        when(fraction.compared("=", full), carried),
     ]

@@ -6,12 +6,12 @@ from collections.abc import Callable
 
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.language.model.encoding import is_truth
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.holders import Bytes, Holder
 from fieldspec.targets.controllers.routines.values import Wire, read, runs, write, write_number
 from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
     BITS,
-    INT,
     UNSIGNED,
     ArrayType,
     Element,
@@ -20,17 +20,12 @@ from fieldspec.targets.controllers.statements.expressions import (
     Expression,
     Member,
     Negation,
-    Operation,
     Type,
     Variable,
     Whole,
-    added,
-    compared,
-    converted,
     number,
-    plus,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Draft, Loop, Selection, Statement
+from fieldspec.targets.controllers.statements.routine import Assignment, Loop, Selection, Statement
 
 # The expression of a field's variable.
 Place = Callable[[FieldLayout], Expression]
@@ -58,62 +53,51 @@ def field_type(world: World, field: FieldLayout) -> Type:
     return ArrayType(0, (repeat.high if repeat is not None else field.count or 1) - 1, element_type)
 
 
-def read_fields(draft: Draft, world: World, record: RecordLayout, holder: Holder, place: Place) -> list[Statement]:
+def read_fields(draft: Draft, record: RecordLayout, holder: Holder, place: Place) -> list[Statement]:
     """The statements that read the fields of a record, which has no repeated ones, into their variables."""
-    statements: list[Statement] = []
-    for field in record.fields:
-        if field.field.measures is None:
-            statements += read_field(draft, world, field, holder, place, None)
-    return statements
+    return _fields(record, lambda field: read_field(draft, field, holder, place))
 
 
 def read_field(
-    draft: Draft, world: World, field: FieldLayout, holder: Holder, place: Place, count: Expression | None
+    draft: Draft, field: FieldLayout, holder: Holder, place: Place, count: Expression | None = None
 ) -> list[Statement]:
     """The statements that read a field into its variable; a repeated one has `count` elements."""
     if field.field.reserved:
         return []
-    target = place(field) if is_user_field(field) else None
 
-    def element_statements(element_holder: Holder, offset: int, variable: Expression | None) -> list[Statement]:
-        if field.record is not None:
-            assert variable is not None
-            return read_fields(
-                draft, world, field.record, element_holder.behind(offset), members_of(world, field.record, variable)
-            )
-        return read(draft, world, Wire.of_field(field), element_holder, offset, variable)
+    def element_statements(start: Holder, variable: Expression | None) -> list[Statement]:
+        if field.record is not None and variable is not None:
+            return read_fields(draft, field.record, start, members_of(draft.world, field.record, variable))
+        return read(draft, Wire.of_field(field), start, variable)
 
-    return _each(draft, field, holder, target, count, element_statements)
+    return _each(draft, field, holder, place(field) if is_user_field(field) else None, count, element_statements)
 
 
-def write_fields(draft: Draft, world: World, record: RecordLayout, holder: Holder, place: Place) -> list[Statement]:
+def write_fields(draft: Draft, record: RecordLayout, holder: Holder, place: Place) -> list[Statement]:
     """The statements that write the variables of a record, which has no repeated fields, into the holder."""
-    statements: list[Statement] = []
-    for field in record.fields:
-        if field.field.measures is None:
-            statements += write_field(draft, world, field, holder, place, None)
-    return statements
+    return _fields(record, lambda field: write_field(draft, field, holder, place))
 
 
 def write_field(
-    draft: Draft, world: World, field: FieldLayout, holder: Holder, place: Place, count: Expression | None
+    draft: Draft, field: FieldLayout, holder: Holder, place: Place, count: Expression | None = None
 ) -> list[Statement]:
     """The statements that write the variable of a field into the holder."""
     if not is_user_field(field):
-        return write_number(Wire.of_field(field), holder, field.offset, field.count or 0)
+        return write_number(Wire.of_field(field), holder.behind(field.offset), field.count or 0)
 
-    def element_statements(element_holder: Holder, offset: int, variable: Expression | None) -> list[Statement]:
+    def element_statements(start: Holder, variable: Expression | None) -> list[Statement]:
         assert variable is not None
         if field.record is not None:
-            return write_fields(
-                draft, world, field.record, element_holder.behind(offset), members_of(world, field.record, variable)
-            )
-        return write(draft, world, Wire.of_field(field), element_holder, offset, variable)
+            return write_fields(draft, field.record, start, members_of(draft.world, field.record, variable))
+        return write(draft, Wire.of_field(field), start, variable)
 
     return _each(draft, field, holder, place(field), count, element_statements)
 
 
-_Element = Callable[[Holder, int, Expression | None], list[Statement]]
+def _fields(record: RecordLayout, statements_of: Callable[[FieldLayout], list[Statement]]) -> list[Statement]:
+    """The statements for the fields of a record that measure no other field."""
+    fields = (field for field in record.fields if field.field.measures is None)
+    return [statement for field in fields for statement in statements_of(field)]
 
 
 def _each(
@@ -122,34 +106,37 @@ def _each(
     holder: Holder,
     target: Expression | None,
     count: Expression | None,
-    statements_of: _Element,
+    statements_of: Callable[[Holder, Expression | None], list[Statement]],
 ) -> list[Statement]:
     """The statements for a field: once, or for each of its elements in a loop."""
+    first = holder.behind(field.offset)
     if not field.is_list:
-        return statements_of(holder, field.offset, target)
+        return statements_of(first, target)
     assert target is not None
-    assert isinstance(target.type, ArrayType)
-    start, step = holder.behind(field.offset).index(), field.size // holder.unit
+    start, step = first.index(), field.size // holder.unit
     if start is None or field.size % holder.unit:
         assert count is None
-        elements = [Element(target, number(position), target.type.of) for position in range(field.count or 1)]
-        inner = [
-            statements_of(holder, field.offset + position * field.size, element)
-            for position, element in enumerate(elements)
-        ]
-        return [statement for statements in inner for statement in statements]
+        positions = range(field.count or 1)
+        elements = [statements_of(first.behind(number * field.size), target.element(number)) for number in positions]
+        return [statement for statements in elements for statement in statements]
     index = _free_index(draft, target)
-    element = Element(target, index, target.type.of)
-    start_index = added([start, Operation("*", (index, number(step)), INT) if step > 1 else index], INT)
+    start_index: Expression = start.combined("+", index.combined("*", step) if step > 1 else index)
     if isinstance(start, Whole) and start.value == 0 and step == 1:
         start_index = index
     if field.record is None and field.size == holder.unit:
-        statements = statements_of(holder.moved(start_index), 0, element)
+        statements = statements_of(holder.moved(start_index), target.element(index))
     else:
         position = draft.local(f"iAt{index.name[1:]}")
-        statements = [Assignment(position, start_index), *statements_of(holder.moved(position), 0, element)]
-    last = plus(count, -1) if count is not None else number((field.count or 1) - 1)
-    return [Loop(index, number(0), last, tuple(statements))]
+        statements = [
+            Assignment(position, start_index),
+            *statements_of(holder.moved(position), target.element(index)),
+        ]
+    return [Loop(index, number(0), _last(field, count), tuple(statements))]
+
+
+def _last(field: FieldLayout, count: Expression | None) -> Expression:
+    """The index of the last element of a list with `count` elements, or with a fixed number of them."""
+    return count.plus(-1) if count is not None else number((field.count or 1) - 1)
 
 
 def _free_index(draft: Draft, target: Expression) -> Variable:
@@ -172,14 +159,14 @@ def _widest(field: FieldLayout) -> Elementary:
     return BITS[max(case.value.size for case in field.cases)]
 
 
-def selecting(draft: Draft, world: World, selector: FieldLayout, source: Expression) -> Expression:
+def selecting(draft: Draft, selector: FieldLayout, source: Expression) -> Expression:
     """The number that chooses a case, in a variable; numbers that its enum does not list are refused."""
     value = Wire.of_field(selector).value
     if not isinstance(source.type, EnumType):
         return source
-    kind = world.raw_type(value.enum)
+    kind = draft.world.raw_type(value.enum)
     number = draft.local(f"{PREFIXES[kind.name]}Selected", kind)
-    call = world.enum_to_raw(value.enum, source, number)
+    call = draft.world.enum_to_raw(value.enum, source, number)
     draft.refuse(Negation(call), "unknown_value")
     return number
 
@@ -197,87 +184,79 @@ def _shapes(field: FieldLayout) -> list[tuple[CaseLayout, frozenset[int]]]:
 
 def read_choice(
     draft: Draft,
-    world: World,
     field: FieldLayout,
     selector: Expression,
     holder: Bytes,
     target: Expression,
     count: Variable | None,
     size: Expression,
-    element: Expression,
 ) -> list[Statement]:
     """The statements that read the elements, each into the low bits of its variable, and count them."""
-    assert isinstance(element, Variable)
-    sizes = [
-        (tuple(runs(numbers)), (Assignment(element, number(case.value.size)),)) for case, numbers in _shapes(field)
-    ]
-    statements: list[Statement] = [
-        Selection(selector, tuple(sizes), draft.status.give(draft.result, "unknown_value")),
-    ]
-    rest = plus(size, -field.offset)
+    statements: list[Statement] = []
+    rest, element = size.plus(-field.offset), draft.local("iSize")
     if count is not None:
         repeat = field.field.repeat
         assert repeat is not None
         statements += [
-            draft.refusal(compared(Operation("MOD", (rest, element), INT), "<>", number(0)), "wrong_length"),
-            Assignment(count, Operation("/", (rest, element), INT)),
-            draft.refusal(compared(count, "<", number(repeat.low)), "incomplete"),
-            draft.refusal(compared(count, ">", number(repeat.high)), "wrong_length"),
+            draft.refusal(rest.combined("MOD", element).compared("<>", 0), "wrong_length"),
+            Assignment(count, rest.combined("/", element)),
+            draft.refusal(count.compared("<", repeat.low), "incomplete"),
+            draft.refusal(count.compared(">", repeat.high), "wrong_length"),
         ]
-    index, position, wide = draft.local("iElement"), draft.local("iAtElement"), _widest(field)
-    branches = []
-    for case, numbers in _shapes(field):
-        bits = Bytes(holder.array, position).number(0, case.value.size, case.order, case.swapped)
-        target_element = Element(target, index, wide)
-        body: list[Statement] = [Assignment(target_element, converted(bits, wide))]
-        if is_truth(case.value.encoding):
-            whole = UNSIGNED[wide.size]
-            body.append(
-                draft.refusal(compared(converted(target_element, whole), ">", Whole(1, whole)), "unknown_value")
-            )
-        branches.append((tuple(runs(numbers)), tuple(body)))
-    start = plus(holder.first, holder.start + field.offset)
-    place = Operation("+", (start, Operation("*", (index, element), INT)), INT)
-    last = plus(count, -1) if count is not None else number((field.count or 1) - 1)
-    loop = Loop(index, number(0), last, (Assignment(position, place), Selection(selector, tuple(branches))))
-    return [*statements, loop]
+    index, wide = draft.local("iElement"), _widest(field)
+    received, whole = target.element(index), UNSIGNED[wide.size]
+
+    def body(case: CaseLayout, place: Bytes) -> list[Statement]:
+        bits = place.number(0, case.value.size, case.order, case.swapped)
+        assignment = Assignment(received, bits.converted(wide))
+        if not is_truth(case.value.encoding):
+            return [assignment]
+        return [assignment, draft.refusal(received.converted(whole).compared(">", 1), "unknown_value")]
+
+    return _chosen(draft, field, selector, holder, count, statements, body)
 
 
 def write_choice(
+    draft: Draft, field: FieldLayout, selector: Expression, holder: Bytes, source: Expression, count: Variable | None
+) -> list[Statement]:
+    """The statements that write the low bits of the elements; a value with too many bits is refused."""
+    index, wide = draft.local("iElement"), _widest(field)
+    source_bits, whole = source.element(index), UNSIGNED[wide.size]
+
+    def body(case: CaseLayout, place: Bytes) -> list[Statement]:
+        highest = 1 if is_truth(case.value.encoding) else (1 << (8 * case.value.size)) - 1
+        too_great = source_bits.converted(whole).compared(">", highest)
+        raw = draft.local(f"{PREFIXES[wide.name]}Raw", wide)
+        stored = place.stored(0, case.value.size, case.order, case.swapped, raw)
+        refusals = [draft.refusal(too_great, "out_of_range")] if highest < wide.high else []
+        return [*refusals, Assignment(raw, source_bits), *stored]
+
+    return _chosen(draft, field, selector, holder, count, [], body)
+
+
+def _chosen(
     draft: Draft,
-    world: World,
     field: FieldLayout,
     selector: Expression,
     holder: Bytes,
-    source: Expression,
     count: Variable | None,
-    element: Expression,
+    before: list[Statement],
+    body_of: Callable[[CaseLayout, Bytes], list[Statement]],
 ) -> list[Statement]:
-    """The statements that write the low bits of the elements; a value with too many bits is refused."""
-    assert isinstance(element, Variable)
-    sizes = [
-        (tuple(runs(numbers)), (Assignment(element, number(case.value.size)),)) for case, numbers in _shapes(field)
-    ]
-    index, position = draft.local("iElement"), draft.local("iAtElement")
-    wide = _widest(field)
-    source_element = Element(source, index, wide)
-    branches = []
+    """The statements for the elements of a choice, by the case that the selector chooses.
+
+    The statements `before` the elements know the size of one.
+    """
+    index, position, element = draft.local("iElement"), draft.local("iAtElement"), draft.local("iSize")
+    sizes, branches = [], []
     for case, numbers in _shapes(field):
-        highest = 1 if is_truth(case.value.encoding) else (1 << (8 * case.value.size)) - 1
-        body: list[Statement] = []
-        if highest < wide.high:
-            whole = UNSIGNED[wide.size]
-            body.append(
-                draft.refusal(compared(converted(source_element, whole), ">", Whole(highest, whole)), "out_of_range")
-            )
-        raw = draft.local(f"{PREFIXES[wide.name]}Raw", wide)
-        body.append(Assignment(raw, source_element))
-        body += Bytes(holder.array, position).stored(0, case.value.size, case.order, case.swapped, raw)
-        branches.append((tuple(runs(numbers)), tuple(body)))
-    start = plus(holder.first, holder.start + field.offset)
-    place = Operation("+", (start, Operation("*", (index, element), INT)), INT)
-    last = plus(count, -1) if count is not None else number((field.count or 1) - 1)
+        intervals = tuple(runs(numbers))
+        sizes.append((intervals, (Assignment(element, number(case.value.size)),)))
+        branches.append((intervals, tuple(body_of(case, Bytes(holder.array, position)))))
+    start = holder.first.plus(holder.start + field.offset)
+    place = Assignment(position, start.combined("+", index.combined("*", element)))
     return [
         Selection(selector, tuple(sizes), draft.status.give(draft.result, "unknown_value")),
-        Loop(index, number(0), last, (Assignment(position, place), Selection(selector, tuple(branches)))),
+        *before,
+        Loop(index, number(0), _last(field, count), (place, Selection(selector, tuple(branches)))),
     ]

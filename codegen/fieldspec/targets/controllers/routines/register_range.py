@@ -8,6 +8,7 @@ from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.access import readable
 from fieldspec.language.model.registers import RegisterGroup
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
@@ -15,20 +16,15 @@ from fieldspec.targets.controllers.statements.expressions import (
     UINT,
     ArrayType,
     Call,
-    Conversion,
-    Element,
     Expression,
     Member,
-    Operation,
     Type,
     Variable,
     Whole,
-    compared,
     number,
-    plus,
     sequence,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Draft, Loop, Statement, when
+from fieldspec.targets.controllers.statements.routine import Assignment, Loop, Statement, when
 
 if TYPE_CHECKING:
     from typing import TypeAlias
@@ -79,7 +75,7 @@ class RegisterRange:
         self.array = draft.declare(array.name, array.type, "in_out", remark)
         self.taken = draft.local("iTaken")
         self.at = draft.local("iAt")
-        draft.refuse(compared(self.count, ">", number(room)), "no_room")
+        draft.refuse(self.count.compared(">", room), "no_room")
         draft.add([Assignment(self.taken, number(0))])
 
     def each(
@@ -95,13 +91,13 @@ class RegisterRange:
             return [self._if_there(register, Whole(register.address, UINT), member, statements_of)]
         index = self.draft.local("iElement")
         assert isinstance(kind, ArrayType)
-        element = Element(member, index, kind.of)
-        steps: Expression = Conversion(index, UINT)
+        element = member.element(index)
+        steps: Expression = index.converted(UINT)
         if register.stride > 1:
-            steps = Operation("*", (steps, Whole(register.stride, UINT)), UINT)
+            steps = steps.combined("*", register.stride)
         address = self.draft.local("uiRegister", UINT)
         inner = [
-            Assignment(address, Operation("+", (Whole(register.address, UINT), steps), UINT)),
+            Assignment(address, Whole(register.address, UINT).combined("+", steps)),
             self._if_there(register, address, element, statements_of),
         ]
         return [Loop(index, number(0), number(register.count - 1), tuple(inner))]
@@ -120,12 +116,12 @@ class RegisterRange:
             (),
             BOOL,
         )
-        place = Conversion(Operation("-", (address, self.address), UINT), INT)
+        place = address.combined("-", self.address).converted(INT)
         return when(
             call,
             [
                 Assignment(self.at, place),
                 *statements_of(self.at, variable),
-                Assignment(self.taken, plus(self.taken, register.words)),
+                Assignment(self.taken, self.taken.plus(register.words)),
             ],
         )

@@ -10,7 +10,8 @@ from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.address_space import BIT as BIT_UNIT
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import RegisterGroup, Table
-from fieldspec.targets.controllers.routines.bits import bit_routines, single_bit_routines
+from fieldspec.targets.controllers.routines.bits import bits_to_group, group_to_bits, single_bit_routines
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.holders import Words
 from fieldspec.targets.controllers.routines.records import members_of, read_fields, write_fields
 from fieldspec.targets.controllers.routines.register_range import RegisterRange, answer_type
@@ -21,19 +22,14 @@ from fieldspec.targets.controllers.statements.expressions import (
     INT,
     UDINT,
     UINT,
-    Conversion,
     Expression,
-    Operation,
     Truth,
     Variable,
     Whole,
-    compared,
     either,
     every,
-    number,
-    plus,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Declared, Draft, Routine, Statement, when
+from fieldspec.targets.controllers.statements.routine import Assignment, Declared, Routine, Statement, when
 
 
 def table_routines(world: World) -> Iterator[Routine]:
@@ -69,29 +65,29 @@ def wires(record: RecordLayout) -> list[Wire]:
     return values
 
 
-def _words(world: World, draft: Draft, record: RecordLayout, remark: str) -> tuple[Words, int]:
+def _words(draft: Draft, record: RecordLayout, remark: str) -> tuple[Words, int]:
     first = draft.declare("iFirst", INT, "input", "index of the first word in aWords")
-    array = draft.declare("aWords", world.words, "in_out", remark)
+    array = draft.declare("aWords", draft.world.words, "in_out", remark)
     words = (record.size or 0) // 2
-    bounds = [compared(first, "<", number(0)), compared(first, ">", number(world.words.high + 1 - words))]
+    bounds = [first.compared("<", 0), first.compared(">", draft.world.words.high + 1 - words)]
     draft.refuse(either(bounds), "no_room")
-    return Words(array, first, world.layout.device.byte_order), words
+    return Words(array, first, draft.world.layout.device.byte_order), words
 
 
 def _unpacked(world: World, record: RecordLayout) -> Routine:
     words = (record.size or 0) // 2
     draft = Draft(
+        world,
         world.routine("unpack", record.name, table_order(record)),
         f"record {record.name}",
-        world.status,
         f"Registers to struct: {words} words of {record.name}. {_order_comment(world, record)}".strip(),
     )
     count = draft.declare("iCount", INT, "input", "how many words of aWords were read")
-    holder, words = _words(world, draft, record, "is read only")
+    holder, words = _words(draft, record, "is read only")
     assert isinstance(holder.first, Variable)
     struct = draft.declare("stData", world.struct(record.name), "in_out", "receives the values")
-    draft.refuse(compared(plus(holder.first, words), ">", count), "incomplete")
-    draft.add(read_fields(draft, world, record, holder, members_of(world, record, struct)))
+    draft.refuse(holder.first.plus(words).compared(">", count), "incomplete")
+    draft.add(read_fields(draft, record, holder, members_of(world, record, struct)))
     return draft.finished()
 
 
@@ -99,16 +95,16 @@ def _packed(world: World, record: RecordLayout, read_only: list[str]) -> Routine
     """The words of an element; `read_only` are the tables whose elements must not be written."""
     words = (record.size or 0) // 2
     draft = Draft(
+        world,
         world.routine("pack", record.name, table_order(record)),
         f"record {record.name}",
-        world.status,
         f"Struct to registers: {words} words of {record.name}. {_order_comment(world, record)}".strip(),
         "If a value is refused, some words may have changed: do not send them.",
         *(f"The elements of {name} cannot be written." for name in read_only),
     )
     struct = draft.declare("stData", world.struct(record.name), "in_out", "is read only")
-    holder, _ = _words(world, draft, record, "receives the words")
-    draft.add(write_fields(draft, world, record, holder, members_of(world, record, struct)))
+    holder, _ = _words(draft, record, "receives the words")
+    draft.add(write_fields(draft, record, holder, members_of(world, record, struct)))
     return draft.finished()
 
 
@@ -121,9 +117,9 @@ def _address(world: World, table_layout: TableLayout) -> Routine:
 
     table = table_layout.table
     draft = Draft(
+        world,
         world.routine(table.name, "address"),
         f"table {table.name}",
-        world.status,
         f"The address of an element of {table.name}: {table.index_from}..{table.index_from + table.count - 1}. "
         f"{count_text(table)}{world.comment(table, None)}".strip(),
     )
@@ -131,9 +127,9 @@ def _address(world: World, table_layout: TableLayout) -> Routine:
     address = draft.declare("uiAddress", UINT, "output")
     first, last = table.index_from, table.index_from + table.count - 1
     draft.add([Assignment(address, Whole(0, UINT))])
-    draft.refuse(either([compared(index, "<", number(first)), compared(index, ">", number(last))]), "out_of_range")
-    steps = Operation("*", (Conversion(plus(index, -first), UINT), Whole(table.stride, UINT)), UINT)
-    draft.add([Assignment(address, Operation("+", (Whole(table.base, UINT), steps), UINT))])
+    draft.refuse(either([index.compared("<", first), index.compared(">", last)]), "out_of_range")
+    steps = index.plus(-first).converted(UINT).combined("*", table.stride)
+    draft.add([Assignment(address, Whole(table.base, UINT).combined("+", steps))])
     return draft.finished()
 
 
@@ -146,18 +142,16 @@ def group_routines(world: World) -> Iterator[Routine]:
     if has_bits(device):
         yield from single_bit_routines(world)
     for group, registers in groups:
-        if device.space(group.space).unit == BIT_UNIT:
-            yield from bit_routines(world, group, registers)
-            continue
+        is_bits = device.space(group.space).unit == BIT_UNIT
         read_registers = [register for register in registers if readable(register.register.access)]
         # Where no access is printed, writing is what a trigger is for.
         writable_registers = [
             register for register in registers if writable(register.register.access) or register.register.trigger
         ]
         if read_registers:
-            yield _words_to_group(world, group, read_registers)
+            yield (bits_to_group if is_bits else _words_to_group)(world, group, read_registers)
         if writable_registers:
-            yield _group_to_words(world, group, writable_registers)
+            yield (group_to_bits if is_bits else _group_to_words)(world, group, writable_registers)
 
 
 def has_bits(device: Device) -> bool:
@@ -179,8 +173,8 @@ def _holds(world: World) -> Routine:
     end = _sum(register, size)
     is_within = every(
         [
-            compared(register, ">=", address),
-            compared(end, "<=", Operation("+", (Conversion(address, UDINT), Conversion(words, UDINT)), UDINT)),
+            register.compared(">=", address),
+            end.compared("<=", address.converted(UDINT).combined("+", words.converted(UDINT))),
         ]
     )
     return Routine(
@@ -195,14 +189,14 @@ def _holds(world: World) -> Routine:
         ),
         (
             Assignment(Variable(name, BOOL), Truth(False)),
-            when(compared(words, ">", number(0)), [Assignment(Variable(name, BOOL), is_within)]),
+            when(words.compared(">", 0), [Assignment(Variable(name, BOOL), is_within)]),
         ),
         ("Whether all words of a register are among some words.",),
     )
 
 
 def _sum(left: Expression, right: Expression) -> Expression:
-    return Operation("+", (Conversion(left, UDINT), Conversion(right, UDINT)), UDINT)
+    return left.converted(UDINT).combined("+", right.converted(UDINT))
 
 
 def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout], function: str) -> str:
@@ -225,19 +219,21 @@ def _order(registers: list[RegisterLayout], function: str) -> str:
     return word_order(map(wire_of, registers))
 
 
-def _range(world: World, group: RegisterGroup, draft: Draft, remark: str) -> RegisterRange:
-    return RegisterRange(world, group, draft, Variable("aWords", world.words), world.words.high + 1, "word", remark)
+def _range(group: RegisterGroup, draft: Draft, remark: str) -> RegisterRange:
+    return RegisterRange(
+        draft.world, group, draft, Variable("aWords", draft.world.words), draft.world.words.high + 1, "word", remark
+    )
 
 
 def _words_to_group(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
     draft = Draft(
+        world,
         world.routine("unpack", group.name, _order(registers, "unpack")),
         f"registers {group.name}",
-        world.status,
         f"Registers to struct: {_about(world, group, registers, 'unpack')}",
         "Each register that lies wholly in the words is put into the struct; the others stay as they are.",
     )
-    words_range = _range(world, group, draft, "is read only")
+    words_range = _range(group, draft, "is read only")
     struct = draft.declare("stData", world.struct(group.name), "in_out", "receives the values")
     for register in registers:
 
@@ -245,33 +241,33 @@ def _words_to_group(world: World, group: RegisterGroup, registers: list[Register
             index: Expression, variable: Expression, register: RegisterLayout = register
         ) -> list[Statement]:
             words = Words(words_range.array, index, world.layout.device.byte_order)
-            return read(draft, world, Wire.of_answer(register), words, 0, variable)
+            return read(draft, Wire.of_answer(register), words, variable)
 
         draft.add(words_range.each(register, struct, answer_type(world, register), register_statements))
-    draft.refuse(compared(words_range.taken, "=", number(0)), "not_covered")
+    draft.refuse(words_range.taken.compared("=", 0), "not_covered")
     return draft.finished()
 
 
 def _group_to_words(world: World, group: RegisterGroup, registers: list[RegisterLayout]) -> Routine:
     draft = Draft(
+        world,
         world.routine("pack", group.name, _order(registers, "pack")),
         f"registers {group.name}",
-        world.status,
         f"Struct to registers: {_about(world, group, registers, 'pack')}",
         "All requested words must belong to writable registers.",
         "If a value is refused, some words may have changed: do not send them.",
     )
     struct = draft.declare("stData", world.struct(group.name), "in_out", "is read only")
-    words_range = _range(world, group, draft, "receives the words")
+    words_range = _range(group, draft, "receives the words")
     for register in registers:
 
         def register_statements(
             index: Expression, variable: Expression, register: RegisterLayout = register
         ) -> list[Statement]:
             words = Words(words_range.array, index, world.layout.device.byte_order)
-            return write(draft, world, Wire.of_register(register), words, 0, variable)
+            return write(draft, Wire.of_register(register), words, variable)
 
         draft.add(words_range.each(register, struct, None, register_statements))
-    wrong = [compared(words_range.count, "<=", number(0)), compared(words_range.taken, "<>", words_range.count)]
+    wrong = [words_range.count.compared("<=", 0), words_range.taken.compared("<>", words_range.count)]
     draft.refuse(either(wrong), "not_covered")
     return draft.finished()

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction as Ratio
 
 from fieldspec.language.model.value import Conversion as Share
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.quantities import Quantity, quantities
 from fieldspec.targets.controllers.routines.remarks import count_of
 from fieldspec.targets.controllers.routines.stated import is_special, outside_stated
@@ -13,20 +14,18 @@ from fieldspec.targets.controllers.routines.world import PREFIXES, World
 from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     LREAL,
-    Conversion,
     Elementary,
     Expression,
     Fraction,
     Negation,
     Operation,
     Whole,
-    compared,
     either,
     every,
     outside,
 )
 from fieldspec.targets.controllers.statements.numbers import whole_type
-from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Draft, Routine
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Routine
 
 # A double has no halves beyond this.
 _WHOLE_ONLY = 1 << 52
@@ -55,8 +54,8 @@ def _digits(number: Ratio | int) -> Fraction:
 def times(value: Expression, ratio: Ratio) -> Expression:
     """A product with a ratio: multiplied and divided by whole numbers, which rounds less than a decimal factor."""
     above, below = ratio.numerator, ratio.denominator
-    product = value if above == 1 else Operation("*", (value, _digits(above)), LREAL)
-    return product if below == 1 else Operation("/", (product, _digits(below)), LREAL)
+    product = value if above == 1 else value.combined("*", _digits(above))
+    return product if below == 1 else product.combined("/", _digits(below))
 
 
 def _about(world: World, same: list[Quantity], direction: str) -> list[str]:
@@ -74,16 +73,14 @@ def _about(world: World, same: list[Quantity], direction: str) -> list[str]:
 
 def _from_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     first = same[0]
-    draft = Draft(
-        world.routine(name, "from_counts"), "scaling", world.status, *_about(world, same, "Counts to quantity")
-    )
+    draft = Draft(world, world.routine(name, "from_counts"), "scaling", *_about(world, same, "Counts to quantity"))
     counts = draft.declare(f"{PREFIXES[first.kind.name]}Counts", first.kind, "input")
     value = draft.declare("lrValue", LREAL, "output", f"in {first.value.unit}" if first.value.unit else "")
     draft.add([Assignment(value, _ZERO)])
     _marked(draft, counts_out_of_range(world, same, counts))
     if first.value.sentinels:
         draft.refuse(is_special(first.value, counts, first.kind), "out_of_range")
-    scaled = times(Conversion(counts, LREAL), Ratio(first.value.scale))
+    scaled = times(counts.converted(LREAL), Ratio(first.value.scale))
     draft.add([Assignment(value, _plus(scaled, Ratio(first.value.offset)))])
     return draft.finished()
 
@@ -105,16 +102,16 @@ def _plus(value: Expression, term_value: Ratio) -> Expression:
     if not term_value:
         return value
     whole = _digits(abs(term_value.numerator))
-    term = whole if term_value.denominator == 1 else Operation("/", (whole, _digits(term_value.denominator)), LREAL)
-    return Operation("+" if term_value > 0 else "-", (value, term), LREAL)
+    term = whole if term_value.denominator == 1 else whole.combined("/", _digits(term_value.denominator))
+    return value.combined("+" if term_value > 0 else "-", term)
 
 
 def _to_counts(world: World, name: str, same: list[Quantity]) -> Routine:
     first = same[0]
     draft = Draft(
+        world,
         world.routine(name, "to_counts"),
         "scaling",
-        world.status,
         *_about(world, same, "Quantity to the nearest count, of two equally near ones the even one"),
     )
     value = draft.declare("lrValue", LREAL, "input", f"in {first.value.unit}" if first.value.unit else "")
@@ -131,28 +128,28 @@ def _rounded(draft: Draft, count: Expression, kind: Elementary, intervals: Itera
     counts = draft.declare(f"{PREFIXES[kind.name]}Counts", kind, "output")
     exact, rest = draft.local("lrCount", LREAL), draft.local("lrRest", LREAL)
     draft.add([Assignment(counts, Whole(0, kind)), Assignment(exact, count)])
-    above_low = compared(exact, ">=", _digits(low)) if -low > _WHOLE_ONLY else compared(exact, ">", _half(low, -1))
-    below_high = compared(exact, "<", _digits(high + 1)) if high > _WHOLE_ONLY else compared(exact, "<", _half(high, 1))
+    above_low = exact.compared(">=", _digits(low)) if -low > _WHOLE_ONLY else exact.compared(">", _half(low, -1))
+    below_high = exact.compared("<", _digits(high + 1)) if high > _WHOLE_ONLY else exact.compared("<", _half(high, 1))
     draft.refuse(Negation(every([above_low, below_high])), "out_of_range")
     whole = draft.local(f"{PREFIXES[kind.name]}Whole", kind)
-    odd = compared(Operation("MOD", (whole, Whole(2, kind)), kind), "<>", Whole(0, kind))
+    odd = whole.combined("MOD", 2).compared("<>", 0)
     half, less = Fraction("0.5"), Fraction("-0.5")
-    up = either([compared(rest, ">", half), every([compared(rest, "=", half), odd])])
-    down = either([compared(rest, "<", less), every([compared(rest, "=", less), odd])])
+    up = either([rest.compared(">", half), every([rest.compared("=", half), odd])])
+    down = either([rest.compared("<", less), every([rest.compared("=", less), odd])])
     unit = Whole(1, kind)
     draft.add(
         [
-            Assignment(whole, Conversion(exact, kind)),
-            Assignment(rest, Operation("-", (exact, Conversion(whole, LREAL)), LREAL)),
+            Assignment(whole, exact.converted(kind)),
+            Assignment(rest, exact.combined("-", whole.converted(LREAL))),
             Condition(
                 (
-                    (up, (Assignment(whole, Operation("+", (whole, unit), kind)),)),
-                    (down, (Assignment(whole, Operation("-", (whole, unit), kind)),)),
+                    (up, (Assignment(whole, whole.combined("+", unit)),)),
+                    (down, (Assignment(whole, whole.combined("-", unit)),)),
                 )
             ),
         ]
     )
-    wrong = outside(whole, bounds, kind) if len(bounds) > 1 else None
+    wrong = outside(whole, bounds) if len(bounds) > 1 else None
     if wrong is not None:
         draft.refuse(wrong, "out_of_range")
     draft.add([Assignment(counts, whole)])
@@ -192,35 +189,35 @@ def _share_kind(share: Share) -> Elementary:
 
 def _share_from_counts(world: World, share: Share) -> Routine:
     kind = _share_kind(share)
-    draft = Draft(world.routine(share.name, "from_counts"), "scaling", world.status, *_share_about(world, share))
+    draft = Draft(world, world.routine(share.name, "from_counts"), "scaling", *_share_about(world, share))
     counts = draft.declare(f"{PREFIXES[kind.name]}Counts", kind, "input")
     reference = draft.declare("lrReference", LREAL, "input", "in the unit of the quantity")
     value = draft.declare("lrValue", LREAL, "output")
     draft.add([Assignment(value, _ZERO)])
-    _marked(draft, outside(counts, [_share_bounds(world, share)], kind))
-    part: Expression = Operation("/", (Conversion(counts, LREAL), _digits(share.full_scale)), LREAL)
+    _marked(draft, outside(counts, [_share_bounds(world, share)]))
+    part: Expression = counts.converted(LREAL).combined("/", _digits(share.full_scale))
     if share.complement:
-        part = Operation("-", (_digits(1), part), LREAL)
-    draft.add([Assignment(value, Operation("*", (reference, part), LREAL))])
+        part = _digits(1).combined("-", part)
+    draft.add([Assignment(value, reference.combined("*", part))])
     return draft.finished()
 
 
 def _share_to_counts(world: World, share: Share) -> Routine:
     kind = _share_kind(share)
     draft = Draft(
+        world,
         world.routine(share.name, "to_counts"),
         "scaling",
-        world.status,
         *_share_about(world, share),
         "The nearest count, of two equally near ones the even one; a reference of 0 is refused.",
     )
     value = draft.declare("lrValue", LREAL, "input")
     reference = draft.declare("lrReference", LREAL, "input", "in the unit of the quantity")
-    zero = [compared(reference, "<", _ZERO), compared(reference, ">", _ZERO)]
+    zero = [reference.compared("<", _ZERO), reference.compared(">", _ZERO)]
     draft.refuse(Negation(Operation("OR", tuple(zero), BOOL)), "out_of_range")
-    part: Expression = Operation("/", (value, reference), LREAL)
+    part: Expression = value.combined("/", reference)
     if share.complement:
-        part = Operation("-", (_digits(1), part), LREAL)
-    exact = Operation("*", (part, _digits(share.full_scale)), LREAL)
+        part = _digits(1).combined("-", part)
+    exact = part.combined("*", _digits(share.full_scale))
     _rounded(draft, exact, kind, [_share_bounds(world, share)])
     return draft.finished()

@@ -33,9 +33,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Expression,
     Fraction,
     Negation,
-    Whole,
-    compared,
-    converted,
     either,
     every,
     outside,
@@ -58,7 +55,7 @@ def _outside(world: World, value: Value, test: Test, tested: Expression) -> Iter
                 yield from _members_outside(world, value, tested.type, intervals, tested)
                 return
             kind = whole_type(value.encoding)
-            wrong = outside(converted(tested, kind), intervals, kind)
+            wrong = outside(tested.converted(kind), intervals)
             if wrong is not None:
                 yield wrong
         case RealWithin():
@@ -67,7 +64,7 @@ def _outside(world: World, value: Value, test: Test, tested: Expression) -> Iter
             wrong = outside_part(test.bit, value.size, tested)
             if wrong is not None:
                 kind = whole_type(value.encoding)
-                special = outside(converted(tested, kind), test.sentinels, kind) if test.sentinels else None
+                special = outside(tested.converted(kind), test.sentinels) if test.sentinels else None
                 yield wrong if special is None else every([special, wrong])
         case Equals() | IsBit() | HasDigits() | HasCharacters() | Known() | Fits():
             return  # readers refuse what does not pass
@@ -82,13 +79,13 @@ def _members_outside(
     names = world.names.enum_members[value.enum]
     for member in world.layout.device.enums[value.enum].members:
         if not any(low <= member.value <= high for low, high in intervals):
-            yield compared(tested, "=", EnumMemberExpression(names[member.name], member.value, kind))
+            yield tested.compared("=", EnumMemberExpression(names[member.name], member.value, kind))
 
 
 def outside_part(bit: Bit, size: int, tested: Expression) -> Expression | None:
     """Whether the bits of a part of a word of `size` bytes are out of their range; None where they cannot be."""
     bits, kind = BITS[size], UNSIGNED[size]
-    return outside(converted(image_of(bit, converted(tested, bits), bits), kind), bit.images, kind)
+    return outside(image_of(bit, tested.converted(bits), bits).converted(kind), bit.images)
 
 
 def outside_real(value: Value, tested: Expression) -> Expression:
@@ -96,7 +93,7 @@ def outside_real(value: Value, tested: Expression) -> Expression:
     pairs = list(value.ranges.intervals) if value.ranges is not None else []
     pairs += value.special_intervals
     intervals = [
-        every([compared(tested, ">=", Fraction(_real(low), REAL)), compared(tested, "<=", Fraction(_real(high), REAL))])
+        every([tested.compared(">=", Fraction(_real(low), REAL)), tested.compared("<=", Fraction(_real(high), REAL))])
         for low, high in sorted(pairs)
     ]
     return Negation(either(intervals))
@@ -112,18 +109,16 @@ def is_special(value: Value, number: Expression, kind: Elementary) -> Expression
     sentinels = value.sentinels
     if kind is REAL:
         literals = [Fraction(f"{sentinel.value}.0", REAL) for sentinel in sentinels]
-        return either(
-            [every([compared(number, ">=", literal), compared(number, "<=", literal)]) for literal in literals]
-        )
+        return either([every([number.compared(">=", literal), number.compared("<=", literal)]) for literal in literals])
     return either(
         [
-            every([compared(number, ">=", Whole(low, kind)), compared(number, "<=", Whole(high, kind))])
+            every([number.compared(">=", low), number.compared("<=", high)])
             if kind.low < low < high < kind.high
-            else compared(number, ">=", Whole(low, kind))
+            else number.compared(">=", low)
             if kind.low < low < high
-            else compared(number, "=", Whole(low, kind))
+            else number.compared("=", low)
             if low == high and not low == kind.low < 0
-            else compared(number, "<", Whole(high + 1, kind))
+            else number.compared("<", high + 1)
             for low, high in merged(value.special_intervals)
         ]
     )

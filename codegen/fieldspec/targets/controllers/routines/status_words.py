@@ -4,18 +4,7 @@ from __future__ import annotations
 
 from fieldspec.targets.controllers.routines.named_numbers import named
 from fieldspec.targets.controllers.routines.world import World
-from fieldspec.targets.controllers.statements.expressions import (
-    BOOL,
-    UINT,
-    WORD,
-    Expression,
-    Operation,
-    Whole,
-    compared,
-    converted,
-    either,
-    every,
-)
+from fieldspec.targets.controllers.statements.expressions import BOOL, UINT, WORD, Expression, Whole, either, every
 from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Routine, Variables
 
 _IDLE, _FIRST, _FURTHER = (
@@ -36,12 +25,10 @@ def status_word(world: World) -> Routine:
     reason = variables.declare("uiErrorID", UINT, "input", "0, or why there is an error")
     busy, done = (variables.declare(name, BOOL, "input") for name in ("xBusy", "xDone"))
     routine = Routine(world.routine("status_word"), "blocks", WORD, tuple(variables.declared), (), _REMARKS)
-    errors = [
-        (compared(reason, "<=", Whole(maximum, UINT)), _error(reason, *names)) for maximum, names in _CLASSES.items()
-    ]
-    works = every([busy, either([compared(status, "=", own) for own in (_FIRST, _FURTHER)])])
+    errors = [(reason.compared("<=", maximum), _error(reason, *names)) for maximum, names in _CLASSES.items()]
+    works = every([busy, either([status.compared("=", own) for own in (_FIRST, _FURTHER)])])
     values: list[tuple[Expression, Expression]] = [(works, _FURTHER), (busy, _FIRST), (done, Whole(0, WORD, True))]
-    none = compared(reason, "=", Whole(0, UINT))
+    none = reason.compared("=", 0)
     branches = [(every([none, test]), value) for test, value in values] + [(none, _IDLE), *errors[:-1]]
     body = Condition(
         tuple((test, (Assignment(routine.result, value),)) for test, value in branches),
@@ -58,4 +45,4 @@ _REMARKS = (
 
 def _error(reason: Expression, base: int, name: str) -> Expression:
     first = named(base, UINT, "status", name, hexadecimal=True)
-    return converted(Operation("+", (first, reason), UINT), WORD)
+    return first.combined("+", reason).converted(WORD)

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import RecordLayout
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.holders import Bytes, Holder, Words
 from fieldspec.targets.controllers.routines.records import members_of, read_fields, write_fields
 from fieldspec.targets.controllers.routines.values import order_remark
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.routines.wrapping import framed
 from fieldspec.targets.controllers.statements.expressions import BYTE, WORD, number, sequence
-from fieldspec.targets.controllers.statements.routine import Draft, Routine
+from fieldspec.targets.controllers.statements.routine import Routine
 
 
 def telegrams(layout: DeviceLayout) -> list[MessageLayout]:
@@ -34,11 +35,11 @@ def telegram_routines(world: World) -> Iterator[Routine]:
                 yield _unpacked(world, message, data, unit)
 
 
-def _holder(world: World, draft: Draft, data: RecordLayout, unit: str, remark: str) -> Holder:
+def _holder(draft: Draft, data: RecordLayout, unit: str, remark: str) -> Holder:
     if unit == "bytes":
         return Bytes(draft.declare("aBytes", sequence(data.size or 0, BYTE), "in_out", remark), number(0))
     array = draft.declare("aWords", sequence((data.size or 0) // 2, WORD), "in_out", remark)
-    return Words(array, number(0), world.layout.device.byte_order)
+    return Words(array, number(0), draft.world.layout.device.byte_order)
 
 
 def _about(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> str:
@@ -49,26 +50,26 @@ def _about(world: World, message: MessageLayout, data: RecordLayout, unit: str) 
 
 def _packed(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
     draft = Draft(
+        world,
         world.routine("pack", data.name, unit),
         f"telegram {message.name}",
-        world.status,
         f"Struct to process data: {_about(world, message, data, unit)}",
     )
     kind = world.struct(data.name)
     struct = draft.declare("stData", kind, "in_out", "is read only")
-    holder = _holder(world, draft, data, unit, "receives the process data")
-    draft.add(write_fields(draft, world, data, holder, members_of(world, data, struct)))
+    holder = _holder(draft, data, unit, "receives the process data")
+    draft.add(write_fields(draft, data, holder, members_of(world, data, struct)))
     return draft.finished()
 
 
 def _unpacked(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
     draft = Draft(
+        world,
         world.routine("unpack", data.name, unit),
         f"telegram {message.name}",
-        world.status,
         f"Process data to struct: {_about(world, message, data, unit)}",
     )
-    holder = _holder(world, draft, data, unit, "is read only")
+    holder = _holder(draft, data, unit, "is read only")
     struct = draft.declare("stData", world.struct(data.name), "in_out", "receives the values")
-    draft.add(read_fields(draft, world, data, holder, members_of(world, data, struct)))
+    draft.add(read_fields(draft, data, holder, members_of(world, data, struct)))
     return draft.finished()

@@ -28,6 +28,7 @@ from fieldspec.language.model.encoding import Whole as WholeNumber
 from fieldspec.language.model.encoding import number_of as number_of_encoding
 from fieldspec.language.model.ranges import Ranges, merged
 from fieldspec.language.model.value import Value
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.holders import Holder
 from fieldspec.targets.controllers.routines.reals import outside_precision
 from fieldspec.targets.controllers.routines.stated import outside_part, outside_real
@@ -43,17 +44,14 @@ from fieldspec.targets.controllers.statements.expressions import (
     Expression,
     Member,
     Negation,
-    Operation,
     Truth,
     Variable,
     Whole,
-    compared,
-    converted,
     number,
     outside,
 )
 from fieldspec.targets.controllers.statements.numbers import whole_type
-from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Draft, Loop, Statement, when
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Loop, Statement, when
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,16 +99,16 @@ class Wire:
         """The whole number in a bit string; the sign is repeated in bits that its type has beyond."""
         whole = number_of_encoding(self.value.encoding)
         if whole is None:
-            return converted(bits, self.whole)
+            return bits.converted(self.whole)
         match whole.sign:
             case Sign.NONE:
-                return converted(bits, self.whole)
+                return bits.converted(self.whole)
             case Sign.COMPLEMENT:
                 if not is_odd(whole):
-                    return converted(bits, self.whole)
+                    return bits.converted(self.whole)
                 sign = 1 << (whole.bits - 1)
-                moved = Operation("XOR", (bits, Whole(sign, self.bits)), self.bits)
-                return Operation("-", (converted(moved, self.whole), Whole(sign, self.whole)), self.whole)
+                moved = bits.combined("XOR", sign)
+                return moved.converted(self.whole).combined("-", sign)
             case Sign.MAGNITUDE:
                 return world.number_from_magnitude(whole, bits)
             case _:
@@ -120,83 +118,72 @@ class Wire:
         """The bit string of a whole number that is within the bounds of the type."""
         whole = number_of_encoding(self.value.encoding)
         if whole is None or not has_magnitude(whole):
-            return converted(source, self.bits)
-        return world.magnitude_from_number(whole, converted(source, self.whole))
+            return source.converted(self.bits)
+        return world.magnitude_from_number(whole, source.converted(self.whole))
 
     def differs(self, world: World, bits: Expression, const: int) -> Expression:
         """Whether a bit string is that of another number: of a sign and a magnitude, zero has two."""
         if has_magnitude(self.value.encoding):
-            return compared(self.number(world, bits), "<>", Whole(const, self.whole))
-        return compared(bits, "<>", self.literal(const))
+            return self.number(world, bits).compared("<>", const)
+        return bits.compared("<>", self.literal(const))
 
 
-def read(
-    draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, target: Expression | None
-) -> list[Statement]:
+def read(draft: Draft, wire: Wire, holder: Holder, target: Expression | None) -> list[Statement]:
     """The statements that read a value into a variable; without one, they refuse anything but the constant."""
     encoding = wire.value.encoding
     match encoding:
         case Text() | Octets():
-            return [] if target is None else _characters_read(draft, wire, holder, offset, target)
+            return [] if target is None else _characters_read(draft, wire, holder, target)
         case Real():
-            return _number_read(draft, world, wire, holder, offset, target, _reading_real(encoding.precision))
+            return _number_read(draft, wire, holder, target, _reading_real(encoding.precision))
         case TruthValue():
-            return _number_read(draft, world, wire, holder, offset, target, _read_truth)
+            return _number_read(draft, wire, holder, target, _read_truth)
         case WholeNumber() | Digits():
-            return _number_read(draft, world, wire, holder, offset, target, _read_count)
+            return _number_read(draft, wire, holder, target, _read_count)
         case _:
             assert_never(encoding)
 
 
-_Reading = Callable[[Draft, World, Wire, Expression, Expression], list[Statement]]
+_Reading = Callable[[Draft, Wire, Expression, Expression], list[Statement]]
 
 
 def _number_read(
-    draft: Draft,
-    world: World,
-    wire: Wire,
-    holder: Holder,
-    offset: int,
-    target: Expression | None,
-    reading: _Reading,
+    draft: Draft, wire: Wire, holder: Holder, target: Expression | None, reading: _Reading
 ) -> list[Statement]:
     """The statements that reject any value except a constant, or read another value from its bits."""
     value = wire.value
-    bits = holder.number(offset, value.size, wire.order, wire.swapped)
+    bits = holder.number(0, value.size, wire.order, wire.swapped)
     if value.const is not None:
-        return [draft.refusal(wire.differs(world, bits, value.const), "wrong_constant")]
-    return [] if target is None else reading(draft, world, wire, bits, target)
+        return [draft.refusal(wire.differs(draft.world, bits, value.const), "wrong_constant")]
+    return [] if target is None else reading(draft, wire, bits, target)
 
 
 def _reading_real(precision: Precision) -> _Reading:
-    def reading(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
+    def reading(draft: Draft, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
         received = _received(draft, target, "rValue")
-        call = world.real_from_bits(precision, bits, received)
-        refusal = draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number")
+        call = draft.world.real_from_bits(precision, bits, received)
+        refusal = draft.refusal(call.compared("<>", draft.status.of("ok")), "no_number")
         return [refusal, *_moved(target, received)]
 
     return reading
 
 
-def _read_truth(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
-    raw = converted(bits, wire.whole)
-    return [
-        draft.refusal(compared(raw, ">", Whole(1, wire.whole)), "unknown_value"),
-        Assignment(target, compared(raw, "=", Whole(1, wire.whole))),
-    ]
+def _read_truth(draft: Draft, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
+    raw = bits.converted(wire.whole)
+    return [draft.refusal(raw.compared(">", 1), "unknown_value"), Assignment(target, raw.compared("=", 1))]
 
 
-def _read_count(draft: Draft, world: World, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
+def _read_count(draft: Draft, wire: Wire, bits: Expression, target: Expression) -> list[Statement]:
     if isinstance(target.type, EnumType):
         name = wire.value.enum
         received = _received(draft, target, f"e{Name.of(name).pascal()}")
-        raw = converted(wire.number(world, bits), world.raw_type(name))
-        refusal = draft.refusal(Negation(world.enum_from_raw(name, raw, received)), "unknown_value")
+        raw = wire.number(draft.world, bits).converted(draft.world.raw_type(name))
+        refusal = draft.refusal(Negation(draft.world.enum_from_raw(name, raw, received)), "unknown_value")
         return [refusal, *_moved(target, received)]
     assert isinstance(target.type, Elementary)
-    read_number = bits if target.type == wire.bits else converted(wire.number(world, bits), target.type)
+    read_number = bits if target.type == wire.bits else wire.number(draft.world, bits).converted(target.type)
     statements: list[Statement] = [Assignment(target, read_number)]
-    return [*statements, *_closed(draft, world, wire, target)]
+    return [*statements, *_closed(draft, wire, target)]
 
 
 def _received(draft: Draft, target: Expression, name: str) -> Expression:
@@ -215,85 +202,83 @@ def _moved(target: Expression, received: Expression) -> list[Statement]:
     return [] if received is target else [Assignment(target, received)]
 
 
-def write(draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
+def write(draft: Draft, wire: Wire, holder: Holder, source: Expression) -> list[Statement]:
     """The statements that refuse a value that must not be sent, and store any other."""
     value, encoding = wire.value, wire.value.encoding
     match encoding:
         case Text() | Octets():
-            return _write_characters(draft, wire, holder, offset, source)
+            return _write_characters(draft, wire, holder, source)
         case Real():
             raw = draft.local(_RAW[wire.bits.name], wire.bits)
-            call = world.bits_from_real(encoding.precision, source, raw)
+            call = draft.world.bits_from_real(encoding.precision, source, raw)
             wrong = outside_precision(encoding.precision, source)
             limits = [] if wrong is None else [draft.refusal(wrong, "out_of_range")]
             if value.ranges is not None:
                 limits = [draft.refusal(outside_real(value, source), "out_of_range")]
-            stored = holder.stored(offset, value.size, wire.order, wire.swapped, raw)
-            return [*limits, draft.refusal(compared(call, "<>", draft.status.of("ok")), "no_number"), *stored]
+            stored = holder.stored(0, value.size, wire.order, wire.swapped, raw)
+            return [*limits, draft.refusal(call.compared("<>", draft.status.of("ok")), "no_number"), *stored]
         case TruthValue():
-            true = when(source, holder.stored(offset, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
-            zero = holder.stored(offset, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
+            true = when(source, holder.stored(0, value.size, wire.order, wire.swapped, Whole(1, wire.bits)))
+            zero = holder.stored(0, value.size, wire.order, wire.swapped, Whole(0, wire.bits))
             return [Condition(true.branches, tuple(zero))]
         case WholeNumber() | Digits():
-            return _write_count(draft, world, wire, holder, offset, source)
+            return _write_count(draft, wire, holder, source)
         case _:
             assert_never(encoding)
 
 
-def _write_count(
-    draft: Draft, world: World, wire: Wire, holder: Holder, offset: int, source: Expression
-) -> list[Statement]:
+def _write_count(draft: Draft, wire: Wire, holder: Holder, source: Expression) -> list[Statement]:
     value = wire.value
     raw = draft.local(_RAW[wire.bits.name], wire.bits)
     if isinstance(source.type, EnumType):
-        wide = world.raw_type(value.enum)
+        wide = draft.world.raw_type(value.enum)
         enum_number = draft.local(_RAW[wide.name], wide)
-        call = world.enum_to_raw(value.enum, source, enum_number)
+        call = draft.world.enum_to_raw(value.enum, source, enum_number)
         return [
             draft.refusal(Negation(call), "unknown_value"),
-            *_put(world, wire, holder, offset, raw, converted(enum_number, wire.whole)),
+            *_put(draft.world, wire, holder, raw, enum_number.converted(wire.whole)),
         ]
-    statements = _closed(draft, world, wire, source)
+    statements = _closed(draft, wire, source)
     if value.const is not None:
-        differs = compared(converted(source, wire.whole), "<>", Whole(value.const, wire.whole))
+        differs = source.converted(wire.whole).compared("<>", value.const)
         statements.append(draft.refusal(differs, "wrong_constant"))
     ranges, bounds = value.writable_ranges, bounds_of(value.encoding)
     if ranges is None and bounds != (wire.whole.low, wire.whole.high):
         ranges = Ranges((bounds,))
     if ranges is not None:
         sentinels = [interval for interval in value.special_intervals if not ranges.includes(*interval)]
-        wrong = outside(converted(source, wire.whole), [*ranges.intervals, *sentinels], wire.whole)
+        wrong = outside(source.converted(wire.whole), [*ranges.intervals, *sentinels])
         if wrong is not None:
             statements.append(draft.refusal(wrong, "out_of_range"))
-    statements += _bounded_bits(draft, world, wire, source)
-    return [*statements, *_put(world, wire, holder, offset, raw, source)]
+    statements += _bounded_bits(draft, wire, source)
+    return [*statements, *_put(draft.world, wire, holder, raw, source)]
 
 
-def _bounded_bits(draft: Draft, world: World, wire: Wire, source: Expression) -> Iterator[Statement]:
+def _bounded_bits(draft: Draft, wire: Wire, source: Expression) -> Iterator[Statement]:
     """The statements that refuse a word with a bit field that is out of its range."""
-    word = world.layout.device.flags.get(wire.value.flags)
+    word = draft.world.layout.device.flags.get(wire.value.flags)
     for bit in word.bounded if word is not None else ():
         wrong = outside_part(bit, wire.value.size, source)
         if wrong is not None:
             yield draft.refusal(wrong, "out_of_range")
 
 
-def _put(world: World, wire: Wire, holder: Holder, offset: int, raw: Variable, source: Expression) -> list[Statement]:
+def _put(world: World, wire: Wire, holder: Holder, raw: Variable, source: Expression) -> list[Statement]:
     """The statements that store a number, through a variable where it has several parts."""
     value, bits = wire.value, wire.bits_of(world, source)
-    direct = holder.stored(offset, value.size, wire.order, wire.swapped, bits)
+    direct = holder.stored(0, value.size, wire.order, wire.swapped, bits)
     if len(direct) == 1:
         return direct
-    return [Assignment(raw, bits), *holder.stored(offset, value.size, wire.order, wire.swapped, raw)]
+    return [Assignment(raw, bits), *holder.stored(0, value.size, wire.order, wire.swapped, raw)]
 
 
-def write_number(wire: Wire, holder: Holder, offset: int, count: int) -> list[Statement]:
+def write_number(wire: Wire, holder: Holder, count: int) -> list[Statement]:
     """The statements that write `count` times a number that users do not state: a constant or a default."""
     default = wire.value.default if isinstance(wire.value.default, int) else 0
     number_of = default if wire.value.const is None else wire.value.const
     statements: list[Statement] = []
     for index in range(count):
-        start = offset + index * wire.value.size
+        start = index * wire.value.size
         if is_array(wire.value.encoding):
             statements += [holder.byte_stored(start + byte, Whole(0, BYTE)) for byte in range(wire.value.size)]
         else:
@@ -304,15 +289,15 @@ def write_number(wire: Wire, holder: Holder, offset: int, count: int) -> list[St
 _RAW = {name: f"{prefix}Raw" for name, prefix in PREFIXES.items()}
 
 
-def _closed(draft: Draft, world: World, wire: Wire, tested: Expression) -> list[Statement]:
+def _closed(draft: Draft, wire: Wire, tested: Expression) -> list[Statement]:
     """The statements that refuse a number that a closed enum does not list."""
     name = wire.value.enum
-    if not name or world.layout.device.enums[name].open:
+    if not name or draft.world.layout.device.enums[name].open:
         return []
-    members = world.layout.device.enums[name].members
+    members = draft.world.layout.device.enums[name].members
     known = {member.value for member in members if not member.unavailable}
     intervals = merged([*((number, number) for number in known), *wire.value.special_intervals])
-    refused = outside(converted(tested, wire.whole), intervals, wire.whole) if intervals else Truth(True)
+    refused = outside(tested.converted(wire.whole), intervals) if intervals else Truth(True)
     return [] if refused is None else [draft.refusal(refused, "unknown_value")]
 
 
@@ -327,19 +312,19 @@ def runs(values: Iterable[int]) -> list[tuple[int, int]]:
     return intervals
 
 
-def _characters_read(draft: Draft, wire: Wire, holder: Holder, offset: int, target: Expression) -> list[Statement]:
+def _characters_read(draft: Draft, wire: Wire, holder: Holder, target: Expression) -> list[Statement]:
     assert isinstance(target.type, ArrayType)
     statements: list[Statement] = []
     for index in range(wire.value.size):
-        element = Element(target, number(index), BYTE)
-        statements.append(Assignment(element, holder.byte(offset + index)))
+        element = target.element(index)
+        statements.append(Assignment(element, holder.byte(index)))
     return [*statements, *_ascii(draft, wire, target)]
 
 
-def _write_characters(draft: Draft, wire: Wire, holder: Holder, offset: int, source: Expression) -> list[Statement]:
+def _write_characters(draft: Draft, wire: Wire, holder: Holder, source: Expression) -> list[Statement]:
     statements = _ascii(draft, wire, source)
     for index in range(wire.value.size):
-        statements.append(holder.byte_stored(offset + index, Element(source, number(index), BYTE)))
+        statements.append(holder.byte_stored(index, source.element(index)))
     return statements
 
 
@@ -348,8 +333,8 @@ def _ascii(draft: Draft, wire: Wire, array: Expression) -> list[Statement]:
     if not is_text(wire.value.encoding):
         return []
     index = draft.local("iCharacter")
-    character = converted(Element(array, index, BYTE), UNSIGNED[1])
-    test = draft.refusal(compared(character, ">", Whole(127, UNSIGNED[1])), "unknown_value")
+    character = array.element(index).converted(UNSIGNED[1])
+    test = draft.refusal(character.compared(">", 127), "unknown_value")
     return [Loop(index, number(0), number(wire.value.size - 1), (test,))]
 
 

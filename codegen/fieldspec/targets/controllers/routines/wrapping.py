@@ -3,33 +3,20 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
     BYTE,
     INT,
     USINT,
-    Conversion,
-    Element,
     Expression,
-    Operation,
     Variable,
     Whole,
-    compared,
     either,
     number,
-    plus,
     within,
 )
-from fieldspec.targets.controllers.statements.routine import (
-    Assignment,
-    Body,
-    Condition,
-    Draft,
-    Loop,
-    Routine,
-    Statement,
-    when,
-)
+from fieldspec.targets.controllers.statements.routine import Assignment, Body, Condition, Loop, Routine, Statement, when
 
 LENGTH = "iLength"
 
@@ -56,9 +43,9 @@ def wrap_routine(world: World, link: LinkLayout) -> Routine:
     start, end = link.request.start, link.request.end
     width = 2 if link.link.transmission == "hex_ascii" else 1
     draft = Draft(
+        world,
         world.routine("wrap", *link_words(world, link)),
         f"frames of {link.name}",
-        world.status,
         f"Writes bytes as they are sent on {link.name}: {_marks(link, link.request)}.",
     )
     count = draft.declare("iByteCount", INT, "input", "how many bytes there are")
@@ -67,57 +54,40 @@ def wrap_routine(world: World, link: LinkLayout) -> Routine:
     length = draft.declare(LENGTH, INT, "output", "how much of aFrame is sent")
     draft.add([Assignment(length, number(0))])
     draft.refuse(
-        either(
-            [
-                compared(count, "<", number(0)),
-                compared(count, ">", number((world.frame.high + 1 - len(start) - len(end)) // width)),
-            ]
-        ),
+        either([count.compared("<", 0), count.compared(">", (world.frame.high + 1 - len(start) - len(end)) // width)]),
         "no_room",
     )
     for position, byte in enumerate(start):
-        draft.add([Assignment(Element(frame, number(position), BYTE), Whole(byte, BYTE))])
+        draft.add([Assignment(frame.element(position), Whole(byte, BYTE))])
     index = draft.local("iAt")
-    frame_index = plus(Operation("*", (index, number(width)), INT) if width > 1 else index, len(start))
-    source_byte = Element(source, index, BYTE)
+    frame_index = (index.combined("*", width) if width > 1 else index).plus(len(start))
+    source_byte = source.element(index)
     body: Body
     if width == 2:
         digit = draft.local("usiDigit", USINT)
         body = (
-            *_write_digit(
-                draft,
-                digit,
-                Operation("/", (Conversion(source_byte, USINT), Whole(16, USINT)), USINT),
-                frame,
-                frame_index,
-            ),
-            *_write_digit(
-                draft,
-                digit,
-                Operation("MOD", (Conversion(source_byte, USINT), Whole(16, USINT)), USINT),
-                frame,
-                plus(frame_index, 1),
-            ),
+            *_write_digit(draft, digit, source_byte.converted(USINT).combined("/", 16), frame, frame_index),
+            *_write_digit(draft, digit, source_byte.converted(USINT).combined("MOD", 16), frame, frame_index.plus(1)),
         )
     else:
-        body = (Assignment(Element(frame, frame_index, BYTE), source_byte),)
-    draft.add([Loop(index, number(0), plus(count, -1), body)])
-    stop = plus(Operation("*", (count, number(width)), INT) if width > 1 else count, len(start))
+        body = (Assignment(frame.element(frame_index), source_byte),)
+    draft.add([Loop(index, number(0), count.plus(-1), body)])
+    stop = (count.combined("*", width) if width > 1 else count).plus(len(start))
     for position, byte in enumerate(end):
-        draft.add([Assignment(Element(frame, plus(stop, position), BYTE), Whole(byte, BYTE))])
-    draft.add([Assignment(length, plus(stop, len(end)))])
+        draft.add([Assignment(frame.element(stop.plus(position)), Whole(byte, BYTE))])
+    draft.add([Assignment(length, stop.plus(len(end)))])
     return draft.finished()
 
 
 def _write_digit(
     draft: Draft, digit: Variable, value: Expression, frame: Variable, position: Expression
 ) -> tuple[Statement, ...]:
-    letter = Operation("+", (digit, Whole(ord("A") - 10, USINT)), USINT)
-    figure = Operation("+", (digit, Whole(ord("0"), USINT)), USINT)
+    letter = digit.combined("+", ord("A") - 10)
+    figure = digit.combined("+", ord("0"))
     return (
         Assignment(digit, value),
-        when(compared(digit, ">", Whole(9, USINT)), [Assignment(digit, letter)], [Assignment(digit, figure)]),
-        Assignment(Element(frame, position, BYTE), Conversion(digit, BYTE)),
+        when(digit.compared(">", 9), [Assignment(digit, letter)], [Assignment(digit, figure)]),
+        Assignment(frame.element(position), digit.converted(BYTE)),
     )
 
 
@@ -132,9 +102,9 @@ def unwrap_routine(world: World, link: LinkLayout) -> Routine:
     """The function that extracts the bytes of a frame from what is received."""
     start, end = link.response.start, link.response.end
     draft = Draft(
+        world,
         world.routine("unwrap", *link_words(world, link)),
         f"frames of {link.name}",
-        world.status,
         f"Takes bytes out of what is received on {link.name}: {_marks(link, link.response)}.",
     )
     length = draft.declare(LENGTH, INT, "input", "how much of aFrame is received")
@@ -143,36 +113,32 @@ def unwrap_routine(world: World, link: LinkLayout) -> Routine:
     count = draft.declare("iByteCount", INT, "output", "how many bytes there are")
     marks = len(start) + len(end)
     draft.add([Assignment(count, number(0))])
-    draft.refuse(compared(length, "<", number(marks)), "wrong_mark")
-    draft.refuse(compared(length, ">", number(world.frame.high + 1)), "no_room")
+    draft.refuse(length.compared("<", marks), "wrong_mark")
+    draft.refuse(length.compared(">", world.frame.high + 1), "no_room")
     for position, byte in enumerate(start):
-        draft.refuse(compared(Element(frame, number(position), BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
+        draft.refuse(frame.element(position).compared("<>", byte), "wrong_mark")
     for position, byte in enumerate(end):
-        place = plus(length, position - len(end))
-        draft.refuse(compared(Element(frame, place, BYTE), "<>", Whole(byte, BYTE)), "wrong_mark")
+        place = length.plus(position - len(end))
+        draft.refuse(frame.element(place).compared("<>", byte), "wrong_mark")
     index = draft.local("iAt")
     if link.link.transmission != "hex_ascii":
-        draft.add([Assignment(count, plus(length, -marks))])
-        moved = Assignment(Element(target, index, BYTE), Element(frame, plus(index, len(start)), BYTE))
-        draft.add([Loop(index, number(0), plus(count, -1), (moved,))])
+        draft.add([Assignment(count, length.plus(-marks))])
+        moved = Assignment(target.element(index), frame.element(index.plus(len(start))))
+        draft.add([Loop(index, number(0), count.plus(-1), (moved,))])
         return draft.finished()
     digit, high = draft.local("usiDigit", USINT), draft.local("usiHigh", USINT)
-    received_byte = Element(frame, plus(index, len(start)), BYTE)
-    odd = compared(Operation("MOD", (index, number(2)), INT), "<>", number(0))
-    whole = Operation("+", (Operation("*", (high, Whole(16, USINT)), USINT), digit), USINT)
-    place = Operation("/", (index, number(2)), INT)
+    received_byte = frame.element(index.plus(len(start)))
+    odd = index.combined("MOD", 2).compared("<>", 0)
+    whole = high.combined("*", 16).combined("+", digit)
+    place = index.combined("/", 2)
     body: Body = (
-        Assignment(digit, Conversion(received_byte, USINT)),
+        Assignment(digit, received_byte.converted(USINT)),
         _digit_read(draft, digit),
-        when(
-            odd,
-            [Assignment(Element(target, place, BYTE), Conversion(whole, BYTE))],
-            [Assignment(high, digit)],
-        ),
+        when(odd, [Assignment(target.element(place), whole.converted(BYTE))], [Assignment(high, digit)]),
     )
-    draft.add([Loop(index, number(0), plus(length, -marks - 1), body)])
-    draft.refuse(compared(Operation("MOD", (plus(length, -marks), number(2)), INT), "<>", number(0)), "wrong_length")
-    draft.add([Assignment(count, Operation("/", (plus(length, -marks), number(2)), INT))])
+    draft.add([Loop(index, number(0), length.plus(-marks - 1), body)])
+    draft.refuse(length.plus(-marks).combined("MOD", 2).compared("<>", 0), "wrong_length")
+    draft.add([Assignment(count, length.plus(-marks).combined("/", 2))])
     return draft.finished()
 
 
@@ -181,7 +147,7 @@ def _digit_read(draft: Draft, digit: Variable) -> Statement:
     ranges = (("0", "9", 48), ("A", "F", 55), ("a", "f", 87))
     branches = []
     for low, high, less in ranges:
-        test = within(digit, [(ord(low), ord(high))], USINT)
+        test = within(digit, [(ord(low), ord(high))])
         assert test is not None
-        branches.append((test, (Assignment(digit, Operation("-", (digit, Whole(less, USINT)), USINT)),)))
+        branches.append((test, (Assignment(digit, digit.combined("-", less)),)))
     return Condition(tuple(branches), draft.status.give(draft.result, "not_hexadecimal"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
-from typing import Any, get_args
+from typing import Any
 
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.targets.controllers.sources.nodes import (
@@ -27,8 +27,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     INT,
     TIMER,
     ArrayType,
-    Conversion,
-    Element,
     Elementary,
     Expression,
     Member,
@@ -43,7 +41,6 @@ from fieldspec.targets.controllers.statements.routine import Routine
 
 _CONVERSION = re.compile("([A-Z]+)_TO_([A-Z]+)")
 _COMPARISONS = ("=", "<>", "<", ">", "<=", ">=")
-_EXPRESSION_CLASSES = get_args(Expression)
 Members = Mapping[str, Mapping[str, tuple[str, Type]]]
 """The members of structs, by the name of the struct and their key: how the device calls them, and their types."""
 
@@ -90,7 +87,7 @@ class Lookup:
             if token.text in outer:
                 return outer[token.text]
             raise self.fail(token, f"{term.structure.token.text} has no {token.text}{near_text(token.text, outer)}")
-        kind = outer.type if isinstance(outer, _EXPRESSION_CLASSES) else None
+        kind = outer.type if isinstance(outer, Expression) else None
         if not isinstance(kind, StructType):
             raise self.fail(token, f"{term.structure.token.text} has no members")
         members = self.members.get(kind.name, {})
@@ -105,9 +102,9 @@ class Lookup:
                 value = self.value(term)
                 if isinstance(value, bool):
                     return Truth(value)
-                if not isinstance(value, _EXPRESSION_CLASSES):
+                if not isinstance(value, Expression):
                     raise self.fail(term.token, f"{term.token.text} is not a value")
-                return value  # type: ignore[no-any-return]
+                return value
             case Literal():
                 return self._number(term.token, expected)
             case Inverted():
@@ -121,7 +118,7 @@ class Lookup:
                 array, index = self.expression(term.array), self.expression(term.index, INT)
                 if not isinstance(array.type, ArrayType):
                     raise self.fail(term.token, f"{term.array.token.text} is not an array")
-                return Element(array, index, array.type.of)
+                return array.element(index)
             case _:
                 assert_never(term)
 
@@ -181,7 +178,7 @@ class Lookup:
             value = self.expression(term.arguments[0].value)
             if value.type != ELEMENTARY.get(conversion[1]) or conversion[2] not in ELEMENTARY:
                 raise self.fail(token, f"the value is {type_name(value.type)}")
-            return Conversion(value, ELEMENTARY[conversion[2]])
+            return value.converted(ELEMENTARY[conversion[2]])
         routine = self.value(term.routine)
         if not isinstance(routine, Routine):
             raise self.fail(token, f"{token.text} is not a function")

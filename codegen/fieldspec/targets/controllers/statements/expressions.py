@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import reduce
 from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
@@ -89,8 +88,49 @@ def innermost(kind: Type) -> Type:
     return kind
 
 
+class Expression:
+    """An expression with a type; numbers that it is combined or compared with are of this type."""
+
+    __slots__ = ()
+    type: Type
+
+    def converted(self, to: Elementary) -> Expression:
+        """The value in a type, itself where it has that type already."""
+        return self if self.type == to else Conversion(self, to)
+
+    def combined(self, operator: str, right: Expression | int) -> Operation:
+        """The value and another one, joined by an operator."""
+        return Operation(operator, (self, self._operand(right)), self.type)
+
+    def compared(self, operator: str, right: Expression | int) -> Operation:
+        """A comparison. Raises ValueError for an expression and itself, since the outcome is known."""
+        other = self._operand(right)
+        if self == other:
+            raise ValueError(f"{self} is compared with itself")
+        return Operation(operator, (self, other), BOOL)
+
+    def plus(self, increment: int) -> Expression:
+        """The sum of an index and a number; two numbers are added here."""
+        if isinstance(self, Whole):
+            return number(self.value + increment)
+        if increment < 0:
+            return self.combined("-", -increment)
+        return self.combined("+", increment) if increment else self
+
+    def element(self, index: Expression | int) -> Element:
+        """An element of an array."""
+        assert isinstance(self.type, ArrayType)
+        return Element(self, number(index) if isinstance(index, int) else index, self.type.of)
+
+    def _operand(self, right: Expression | int) -> Expression:
+        if not isinstance(right, int):
+            return right
+        assert isinstance(self.type, Elementary)
+        return Whole(right, self.type)
+
+
 @dataclass(frozen=True, slots=True)
-class Whole:
+class Whole(Expression):
     """A whole number. Where `hexadecimal`, the manual or the algorithm knows it in that form.
 
     One with a `name` is a constant of the routine that has it.
@@ -103,7 +143,7 @@ class Whole:
 
 
 @dataclass(frozen=True, slots=True)
-class Fraction:
+class Fraction(Expression):
     """A decimal number, exactly as its digits say."""
 
     digits: str
@@ -111,7 +151,7 @@ class Fraction:
 
 
 @dataclass(frozen=True, slots=True)
-class Truth:
+class Truth(Expression):
     """The literal TRUE or FALSE."""
 
     value: bool
@@ -119,7 +159,7 @@ class Truth:
 
 
 @dataclass(frozen=True, slots=True)
-class Variable:
+class Variable(Expression):
     """A parameter or a local variable of the routine, or, within it, what it returns."""
 
     name: str
@@ -127,7 +167,7 @@ class Variable:
 
 
 @dataclass(frozen=True, slots=True)
-class EnumMemberExpression:
+class EnumMemberExpression(Expression):
     """A member of a declared enum."""
 
     member: str
@@ -136,7 +176,7 @@ class EnumMemberExpression:
 
 
 @dataclass(frozen=True, slots=True)
-class Member:
+class Member(Expression):
     """A member of a struct."""
 
     of: Expression
@@ -151,7 +191,7 @@ class Output(Member):
 
 
 @dataclass(frozen=True, slots=True)
-class Element:
+class Element(Expression):
     """An element of an array."""
 
     of: Expression
@@ -160,7 +200,7 @@ class Element:
 
 
 @dataclass(frozen=True, slots=True)
-class Operation:
+class Operation(Expression):
     """Operands joined by one operator: + - * / MOD AND OR XOR = <> < <= > >="""
 
     operator: str
@@ -169,7 +209,7 @@ class Operation:
 
 
 @dataclass(frozen=True, slots=True)
-class Negation:
+class Negation(Expression):
     """NOT of a truth."""
 
     of: Expression
@@ -177,7 +217,7 @@ class Negation:
 
 
 @dataclass(frozen=True, slots=True)
-class Shift:
+class Shift(Expression):
     """Bits moved to the left (SHL) or to the right (SHR); zeros come in."""
 
     direction: str
@@ -187,7 +227,7 @@ class Shift:
 
 
 @dataclass(frozen=True, slots=True)
-class Conversion:
+class Conversion(Expression):
     """A value in another elementary type, by the function that is named after both."""
 
     of: Expression
@@ -195,7 +235,7 @@ class Conversion:
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class Call(Expression):
     """A call of a routine with inputs (and variables that it changes), and the targets of its outputs."""
 
     routine: str
@@ -204,46 +244,9 @@ class Call:
     type: Type
 
 
-Expression: TypeAlias = (
-    Whole
-    | Fraction
-    | Truth
-    | Variable
-    | EnumMemberExpression
-    | Member
-    | Element
-    | Operation
-    | Negation
-    | Shift
-    | Conversion
-    | Call
-)
-
-
 def number(value: int) -> Whole:
     """A whole number as a literal of INT: an index, a length or an offset."""
     return Whole(value, INT)
-
-
-def converted(value: Expression, to: Elementary) -> Expression:
-    """A value in a type, itself where it has that type already."""
-    return value if value.type == to else Conversion(value, to)
-
-
-def plus(base: Expression, increment: int) -> Expression:
-    """A sum of an index and a number; two numbers are added here."""
-    if isinstance(base, Whole):
-        return Whole(base.value + increment, INT)
-    if increment < 0:
-        return Operation("-", (base, number(-increment)), INT)
-    return Operation("+", (base, number(increment)), INT) if increment else base
-
-
-def compared(left: Expression, operator: str, right: Expression) -> Operation:
-    """A comparison. Raises ValueError for an expression and itself, since the outcome is known."""
-    if left == right:
-        raise ValueError(f"{left} is compared with itself")
-    return Operation(operator, (left, right), BOOL)
 
 
 def every(tests: Iterable[Expression]) -> Expression:
@@ -258,52 +261,50 @@ def either(tests: Iterable[Expression]) -> Expression:
     return operands[0] if len(operands) == 1 else Operation("OR", operands, BOOL)
 
 
-def within(tested: Expression, intervals: Iterable[tuple[int, int]], kind: Elementary) -> Expression | None:
+def within(tested: Expression, intervals: Iterable[tuple[int, int]]) -> Expression | None:
     """Whether a number lies in one of some intervals; None where every number of its type does.
 
     Bounds that equal the type's limits are left out: compilers warn of comparisons that always hold.
     """
+    kind = tested.type
+    assert isinstance(kind, Elementary)
     tests: list[Expression] = []
     for low, high in sorted(intervals):
         if low == high:
-            tests.append(compared(tested, "=", Whole(low, kind)))
+            tests.append(tested.compared("=", low))
             continue
         bounds: list[Expression] = []
         if low > kind.low:
-            bounds.append(compared(tested, ">=", Whole(low, kind)))
+            bounds.append(tested.compared(">=", low))
         if high < kind.high:
-            bounds.append(compared(tested, "<=", Whole(high, kind)))
+            bounds.append(tested.compared("<=", high))
         if not bounds:
             return None
         tests.append(every(bounds))
     return either(tests)
 
 
-def outside(tested: Expression, intervals: Iterable[tuple[int, int]], kind: Elementary) -> Expression | None:
+def outside(tested: Expression, intervals: Iterable[tuple[int, int]]) -> Expression | None:
     """Whether a whole number lies in none of some intervals; None where every number of its type lies in one."""
     bounds = sorted(intervals)
-    is_within = within(tested, bounds, kind)
+    is_within, kind = within(tested, bounds), tested.type
     if is_within is None or len(bounds) > 1:
         return None if is_within is None else Negation(is_within)
+    assert isinstance(kind, Elementary)
     (low, high) = bounds[0]
     if low == high:
-        return compared(tested, "<>", Whole(low, kind))
-    tests = [compared(tested, "<", Whole(low, kind))] if low > kind.low else []
-    return either([*tests, *([compared(tested, ">", Whole(high, kind))] if high < kind.high else [])])
+        return tested.compared("<>", low)
+    tests = [tested.compared("<", low)] if low > kind.low else []
+    return either([*tests, *([tested.compared(">", high)] if high < kind.high else [])])
 
 
 def joined(parts: Iterable[tuple[Expression, int]], size: int) -> Expression:
     """Parts of a number, each moved to its place, as one number of `size` bytes."""
     wide = BITS[size]
-    moved = [Shift("SHL", converted(p, wide), bits, wide) if bits else converted(p, wide) for p, bits in parts]
+    moved = [Shift("SHL", p.converted(wide), bits, wide) if bits else p.converted(wide) for p, bits in parts]
     return moved[0] if len(moved) == 1 else Operation("OR", tuple(moved), wide)
 
 
 def part(bit_string: Expression, bits: int, to: Elementary) -> Expression:
     """The part of a bit string that begins `bits` above its least significant bit."""
-    return converted(Shift("SHR", bit_string, bits, bit_string.type) if bits else bit_string, to)
-
-
-def added(terms: Iterable[Expression], kind: Elementary) -> Expression:
-    """The sum of terms in a type."""
-    return reduce(lambda left, right: Operation("+", (left, right), kind), terms)
+    return (Shift("SHR", bit_string, bits, bit_string.type) if bits else bit_string).converted(to)

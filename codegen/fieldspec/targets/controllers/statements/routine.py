@@ -25,7 +25,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Type,
     Variable,
     Whole,
-    compared,
 )
 
 
@@ -129,8 +128,7 @@ class Routine:
     """A function. It changes only its outputs and in-out variables, and has no state.
 
     Where `returns` is None it is a function block, which keeps its variables from one call to the next. `group` is what
-    it is about, in a word or two; `remarks` are the paragraphs of its comment, `example` are lines of a program that
-    calls it.
+    it is about, in a word or two; `remarks` are the paragraphs of its comment.
     """
 
     name: str
@@ -139,7 +137,6 @@ class Routine:
     declared: tuple[Declared, ...]
     body: Body
     remarks: tuple[str, ...]
-    example: tuple[str, ...] = ()
 
     @property
     def result(self) -> Variable:
@@ -217,7 +214,7 @@ class Status:
 
     def passed_on(self, result: Variable, status: Expression) -> Statement:
         """The statement that returns the status of another routine unless it is ok."""
-        return when(compared(status, "<>", self.of("ok")), (Assignment(result, status), Return()))
+        return when(status.compared("<>", self.of("ok")), (Assignment(result, status), Return()))
 
 
 BASE = UINT
@@ -331,40 +328,3 @@ class Variables:
         """The declared variables without the local ones that no statement uses: compilers warn of them."""
         names = used(body)
         return tuple(item for item in self.declared if item.role != "local" or item.variable.name in names)
-
-
-class Draft(Variables):
-    """A routine under construction, which returns a status."""
-
-    def __init__(self, name: str, group: str, status: Status, *remarks: str) -> None:
-        super().__init__(name)
-        self.name, self.group, self.status = name, group, status
-        self.remarks = [remark for remark in remarks if remark]
-        self.example: list[str] = []
-        self.result = Variable(name, status.type)
-        self.body: list[Statement] = []
-
-    def add(self, statements: Iterable[Statement]) -> None:
-        """Appends statements."""
-        self.body += statements
-
-    def refuse(self, test: Expression, status: str) -> None:
-        """Appends the statement that returns a status where a test holds."""
-        self.body.append(self.status.refuse(self.result, test, status))
-
-    def refusal(self, test: Expression, status: str) -> Statement:
-        """The statement that returns a status where a test holds."""
-        return self.status.refuse(self.result, test, status)
-
-    def finished(self, last: Expression | None = None) -> Routine:
-        """The finished routine, which returns the status in `last`, or ok."""
-        body = (*self.body, Assignment(self.result, self.status.of("ok") if last is None else last))
-        return Routine(
-            self.name,
-            self.group,
-            self.status.type,
-            self.needed(body),
-            body,
-            tuple(self.remarks),
-            tuple(self.example),
-        )

@@ -1,10 +1,15 @@
-"""A device as a program: all its objects in an order in which each follows those that it uses."""
+"""A device as a program: all its objects in an order in which each follows those that it uses.
+
+Members of structs lie, packed, where their fields lie on the wire: what users do not get is padding by name. Arrays
+that routines receive by reference have named types, as an argument must have exactly the bounds of its parameter.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.names import Name
 from fieldspec.language.diagnostics import Diagnostic
@@ -12,13 +17,21 @@ from fieldspec.targets.controllers.cache import cached
 from fieldspec.targets.controllers.chosen import chosen_routines, trimmed
 from fieldspec.targets.controllers.declarations import Declarations, declarations
 from fieldspec.targets.controllers.dialects import STRUCTURED, Dialect, Spelling
-from fieldspec.targets.controllers.layout.memory import Placed, placed
+from fieldspec.targets.controllers.layout.memory import MEMORIES, Placed, placed
 from fieldspec.targets.controllers.routines.all_routines import routines
-from fieldspec.targets.controllers.routines.printer import comment_text, declaration, implementation
+from fieldspec.targets.controllers.routines.printer import (
+    array_name,
+    comment,
+    comment_text,
+    declaration,
+    implementation,
+    type_text,
+)
+from fieldspec.targets.controllers.routines.records import is_user_field
 from fieldspec.targets.controllers.routines.remarks import left_out, without_block
+from fieldspec.targets.controllers.statements.expressions import BYTE, ArrayType, Type, sequence
 from fieldspec.targets.controllers.statements.routine import Routine
-from fieldspec.targets.controllers.structs import Struct
-from fieldspec.targets.controllers.structured.arrays import array_item, lent_arrays, named_arrays
+from fieldspec.targets.controllers.structs import Struct, StructMember
 from fieldspec.targets.controllers.structured.examples import examples
 from fieldspec.targets.controllers.structured.objects import (
     Item,
@@ -31,7 +44,6 @@ from fieldspec.targets.controllers.structured.objects import (
     text_form,
     texts_item,
 )
-from fieldspec.targets.controllers.structured.padding import PACKED, padded
 from fieldspec.targets.fact_texts import manual_remark
 
 
@@ -168,3 +180,79 @@ def newest(versions: Sequence[DeviceLayout]) -> DeviceLayout:
 
 def _device(layout: DeviceLayout) -> str:
     return Name.of(layout.device.id).pascal()
+
+
+PACKED = MEMORIES["tc3:1"]
+"""Where nothing is aligned: what pack_mode 1 says."""
+
+
+def padded(declared: Declarations) -> tuple[Struct, ...]:
+    """The structs of a device; structs of records and telegrams have padding."""
+    structs: dict[str, Struct] = {}
+    for struct in declared.structs:
+        record = _record(declared.layout, struct)
+        structs[struct.name] = struct if record is None else _filled(struct, record, structs)
+    return tuple(structs.values())
+
+
+def _record(layout: DeviceLayout, struct: Struct) -> RecordLayout | None:
+    if struct.kind == "record":
+        return layout.records[struct.key]
+    data = (record for message in layout.messages.values() for record in message.bodies)
+    return next((record for record in data if struct.kind == "telegram" and record.name == struct.key), None)
+
+
+def _filled(struct: Struct, record: RecordLayout, structs: dict[str, Struct]) -> Struct:
+    """The struct with padding where a field is not given, or takes more bytes on the wire than its variable."""
+    members = {id(member.fact): member for member in struct.members}
+    used_names = {member.name.lower() for member in struct.members}
+    filled_members: list[StructMember] = []
+    offset = 0
+    for field in record.fields:
+        size = field.size * (field.count or 1)
+        if is_user_field(field):
+            member = members[id(field.field)]
+            filled_members.append(replace(member, at=field.offset, order=field.order, swapped=field.swapped))
+            offset += placed(replace(struct, members=(member,)), PACKED, structs).size
+        missing = field.offset + size - offset
+        if missing > 0:
+            filled_members.append(_padding(missing, field, used_names, offset))
+            offset += missing
+    return replace(struct, members=tuple(filled_members), size=record.size)
+
+
+def _padding(size: int, field: FieldLayout, used_names: set[str], offset: int) -> StructMember:
+    prefix, number = "by" if size == 1 else "aby", 1
+    while f"{prefix}padding{number}" in used_names:
+        number += 1
+    used_names.add(f"{prefix}padding{number}")
+    remark = f"fills up {field.name}" if is_user_field(field) else f"{field.name} on the wire; the functions set it"
+    kind = BYTE if size == 1 else sequence(size, BYTE)
+    return StructMember(f"{prefix}Padding{number}", kind, remark, None, None, offset)
+
+
+def lent_arrays(routines: Iterable[Routine]) -> frozenset[ArrayType]:
+    """The types of the arrays that routines have as VAR_IN_OUT."""
+    declared = (declared for routine in routines for declared in routine.of_role("in_out"))
+    return frozenset(item.variable.type for item in declared if isinstance(item.variable.type, ArrayType))
+
+
+def named_arrays(kinds: Iterable[Type], spelling: Spelling, known: set[str]) -> Iterator[ArrayType]:
+    """The arrays that have a name, as far as it is not known yet; each after those that lie in it."""
+    for kind in kinds:
+        if not isinstance(kind, ArrayType):
+            continue
+        yield from named_arrays([kind.of], spelling, known)
+        if kind in spelling.named:
+            name = array_name(kind, spelling)
+            if name not in known:
+                known.add(name)
+                yield kind
+
+
+def array_item(kind: ArrayType, spelling: Spelling) -> Item:
+    """The declaration of an array type with a name."""
+    title = "For arguments: the bounds of an array must equal the parameter's."
+    bounds = f"ARRAY[{kind.low}..{kind.high}] OF {type_text(kind.of, spelling)}"
+    lines = (*comment(title), f"TYPE {array_name(kind, spelling)} : {bounds};", "END_TYPE")
+    return Item(array_name(kind, spelling), "type", "arrays", lines)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
+from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.registers import RegisterGroup
@@ -18,17 +19,24 @@ from fieldspec.targets.controllers.routines.registers import registers_of
 from fieldspec.targets.controllers.routines.telegrams import telegrams
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.routine import bare
+from fieldspec.targets.usages import Usage, VersionUsages, spelling
 
 
-class StructuredUsage(NamedTuple):
-    """Code that reads or writes a fact; `@0@`, `@1@` in the template are the arguments."""
+def version_usages(
+    output: str, language: str, layout: DeviceLayout, declare: Callable[[DeviceLayout], Declarations]
+) -> dict[str, VersionUsages]:
+    """The code for the one version of a device that an output has, with the names that it declares."""
+    rows = spelling(output, layout, partial(usage_rows, layout, declare))
+    return {layout.device.version: VersionUsages(language, {}, rows)}
 
-    fact: str
-    template: str
-    arguments: tuple[str, ...]
+
+def usage_rows(layout: DeviceLayout, declare: Callable[[DeviceLayout], Declarations]) -> Iterator[Usage]:
+    """The code that reads or writes each fact; none where there is no program."""
+    declared = declare(layout)
+    return iter(()) if has_errors(declared.findings) else _usages(declared)
 
 
-def usages(declared: Declarations) -> Iterator[StructuredUsage]:
+def _usages(declared: Declarations) -> Iterator[Usage]:
     """The code for all facts of a device that a dialect has. The transferred values of a block are in its struct."""
     uses = _Usages(declared, dict(_constants(declared)))
     yield from uses.registers()
@@ -64,7 +72,7 @@ class _Usages:
         """The layout that the dialect declares."""
         return self.declared.layout
 
-    def registers(self) -> Iterator[StructuredUsage]:
+    def registers(self) -> Iterator[Usage]:
         """The code for registers of the first space of words."""
         for group in self._groups():
             registers = registers_of(self.layout, group)
@@ -87,7 +95,7 @@ class _Usages:
                     )
                     yield self._usage(fact.place.path, ways, group.name, group.name, arguments, register.name)
 
-    def tables(self) -> Iterator[StructuredUsage]:
+    def tables(self) -> Iterator[Usage]:
         """The code for the fields of one element of a table."""
         device = self.layout.device
         records = [table.record.name for table in self.layout.tables.values()]
@@ -105,7 +113,7 @@ class _Usages:
                     arguments = f"{self._parameter('Number')} := {table.table.index_from}"
                     yield self._usage(field.field.place.path, ways, name, record, arguments, field.name)
 
-    def telegrams(self) -> Iterator[StructuredUsage]:
+    def telegrams(self) -> Iterator[Usage]:
         """The code for the fields of process data."""
         spelling = self.declared.dialect.spelling
         for message in telegrams(self.layout):
@@ -125,16 +133,16 @@ class _Usages:
                         text = f"// {variable} : @0@; @1@ has filled it from the bytes received\nvalue := {member};\n"
                     text = text.replace("value", spelling.variable.format("value"), 1)
                     name = self.world.member(record.name, field.name)
-                    yield StructuredUsage(field.field.place.path, text, (kind, function, name))
+                    yield Usage(field.field.place.path, text, (kind, function, name))
 
-    def parameters(self) -> Iterator[StructuredUsage]:
+    def parameters(self) -> Iterator[Usage]:
         """The code for the numbers of parameters."""
         variable = self._variable("uiNumber")
         for parameter_set in self.layout.device.parameters.values():
             for row in parameter_set.parameters:
                 constant = self.constants.get(row.place.path)
                 if constant is not None and not row.reserved:
-                    yield StructuredUsage(row.place.path, f"{variable} := @0@;\n", (constant,))
+                    yield Usage(row.place.path, f"{variable} := @0@;\n", (constant,))
 
     def _parameter(self, name: str) -> str:
         return parameter(name, self.declared.dialect.spelling)
@@ -152,9 +160,7 @@ class _Usages:
                 if device.space_name(group.space) == device.space_name(""):
                     yield group
 
-    def _usage(
-        self, path: str, ways: list[str], block: str, struct: str, arguments: str, member: str
-    ) -> StructuredUsage:
+    def _usage(self, path: str, ways: list[str], block: str, struct: str, arguments: str, member: str) -> Usage:
         """The calls of the blocks that read and write, and the member of the struct that they transfer."""
         spelling, world = self.declared.dialect.spelling, self.world
         axis, data = self._variable("stAxis"), self._variable("stData")
@@ -178,4 +184,4 @@ class _Usages:
             if direction == "read":
                 value = spelling.variable.format("value")
                 text += f"IF {block}.{self._parameter('Done')} THEN\n    {value} := {data}.@1@;\nEND_IF;\n"
-        return StructuredUsage(path, text, tuple(names))
+        return Usage(path, text, tuple(names))

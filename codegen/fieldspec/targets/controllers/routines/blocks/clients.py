@@ -18,17 +18,7 @@ from fieldspec.targets.controllers.routines.records import is_user_field
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.routines.wrapping import link_words
 from fieldspec.targets.controllers.sources.expansion import Expansion, source
-from fieldspec.targets.controllers.statements.expressions import (
-    INT,
-    WORD,
-    Element,
-    Elementary,
-    Expression,
-    StructType,
-    Type,
-    converted,
-    number,
-)
+from fieldspec.targets.controllers.statements.expressions import INT, Elementary, Expression, StructType, Type
 from fieldspec.targets.controllers.statements.interfaces import BlockVariables
 from fieldspec.targets.controllers.statements.routine import Routine
 
@@ -123,7 +113,7 @@ def _arguments(world: World, expansion: Expansion, exchange: Exchange) -> dict[s
         elif variable.type == world.words:
             arguments[variable.name] = words
         else:
-            arguments[variable.name] = _converted(Element(words, number(0), WORD), variable.type)
+            arguments[variable.name] = _converted(words.element(0), variable.type)
     if asks.fields.count is not None:
         arguments[asks.fields.count.name] = count
     return arguments
@@ -131,7 +121,7 @@ def _arguments(world: World, expansion: Expansion, exchange: Exchange) -> dict[s
 
 def _converted(value: Expression, kind: Type) -> Expression:
     assert isinstance(kind, Elementary)
-    return converted(value, kind)
+    return value.converted(kind)
 
 
 def client_blocks(world: World, by_name: Mapping[str, Routine], links: Sequence[LinkLayout]) -> Iterator[Routine]:

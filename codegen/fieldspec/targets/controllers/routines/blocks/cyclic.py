@@ -28,7 +28,7 @@ from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft, a
 from fieldspec.targets.controllers.routines.blocks.tasks import end_steps
 from fieldspec.targets.controllers.routines.blocks.telegram_places import RequestBit, TelegramPlaces, cleared
 from fieldspec.targets.controllers.routines.world import World
-from fieldspec.targets.controllers.statements.expressions import Expression, Negation, Variable, compared, every
+from fieldspec.targets.controllers.statements.expressions import Expression, Negation, Variable, every
 from fieldspec.targets.controllers.statements.routine import Assignment, Routine, Statement, when
 
 _BY_LEVEL = frozenset({"homing_start", "jog_positive", "jog_negative", "jog_start"})
@@ -343,7 +343,7 @@ class CyclicTask:
             settled = draft.timer("fbSteady", steady, "SettlingTime", _SETTLE, remark)
             at_speed = draft.declare("InVelocity", steady.type, "output", "the commanded speed is reached")
             place, _ = self.places.place(reached[0])
-            same = every([compared(target, "=", raw) for target, raw in self.setpoints])
+            same = every([target.compared("=", raw) for target, raw in self.setpoints])
             following = [
                 Assignment(steady, same),
                 *following,

@@ -20,15 +20,7 @@ from fieldspec.targets.controllers.routines.exchanges import judging_slots
 from fieldspec.targets.controllers.routines.named_numbers import named
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.sources.expansion import Expansion, source
-from fieldspec.targets.controllers.statements.expressions import (
-    INT,
-    UINT,
-    Expression,
-    Whole,
-    compared,
-    either,
-    number,
-)
+from fieldspec.targets.controllers.statements.expressions import INT, UINT, Expression, Whole, either, number
 from fieldspec.targets.controllers.statements.routine import Routine, Statement
 
 Branch: TypeAlias = tuple[Expression, Sequence[Statement]]
@@ -180,7 +172,7 @@ class Moving(Kind):
             "has_stop": self.stop > 0,
             "stops": draft.between(self.ending, self.stop),
             "looks": bool(self.commands) and self.look > max(self.commands) + 1,
-            "at_command": either([compared(draft.step, "=", number(step)) for step in self.commands])
+            "at_command": either([draft.step.compared("=", step) for step in self.commands])
             if self.commands
             else False,
             "lowers_unless_done": bool(self.lowered_unless_done),

@@ -35,8 +35,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Type,
     Variable,
     Whole,
-    compared,
-    converted,
     outside,
 )
 from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Statement, bare, when
@@ -144,11 +142,11 @@ def bit_of_argument(block: BlockDraft, task: Task, step: Step) -> Expression:
         raw = block.declare(f"{PREFIXES[kind.name]}{words}Raw", kind, "output", "what is sent")
         block.at_start.append(Assignment(raw, source))
         refused: list[Statement] = [Assignment(block.result, block.status.of("out_of_range")), block.refuse()]
-        wrong = outside(raw, [(0, highest)], kind)
+        wrong = outside(raw, [(0, highest)])
         block.at_start += _unless_refused(block, [when(wrong, refused)] if wrong is not None else [])
     bits = BITS[kind.size]
     mask = Whole(1 << (step.argument_bit or 0), bits, True)
-    return compared(Operation("AND", (converted(raw, bits), mask), bits), "<>", Whole(0, bits, True))
+    return raw.converted(bits).combined("AND", mask).compared("<>", Whole(0, bits, True))
 
 
 def unit_of(operand: Operand) -> str:
@@ -166,7 +164,7 @@ def _counts(operand: Operand, value: Value | None) -> str:
 def _refusing(block: BlockDraft, call: Call, refuse: Statement) -> list[Statement]:
     return [
         Assignment(block.result, call),
-        when(compared(block.result, "<>", block.status.of("ok")), [refuse]),
+        when(block.result.compared("<>", block.status.of("ok")), [refuse]),
     ]
 
 
@@ -183,7 +181,7 @@ def _ranged(block: BlockDraft, value: Value, raw: Variable, kind: Elementary) ->
     if ranges is None or kind.family not in ("signed", "unsigned"):
         return
     sentinels = [interval for interval in value.special_intervals if not ranges.includes(*interval)]
-    wrong = outside(raw, [*ranges.intervals, *sentinels], kind)
+    wrong = outside(raw, [*ranges.intervals, *sentinels])
     if wrong is not None:
         yield when(wrong, [Assignment(block.result, block.status.of("out_of_range")), block.refuse()])
 
@@ -220,12 +218,12 @@ def field_of(bit: Bit, word: Expression) -> Expression:
     """A bit of a word as a truth, several as a number."""
     assert isinstance(word.type, Elementary)
     bits = BITS[word.type.size]
-    masked = Operation("AND", (converted(word, bits), mask_of(bit, bits)), bits)
+    masked = word.converted(bits).combined("AND", mask_of(bit, bits))
     if bit.width == 1:
-        return compared(masked, "<>", Whole(0, bits, True))
+        return masked.compared("<>", Whole(0, bits, True))
     moved = Shift("SHR", masked, bit.first, bits) if bit.first else masked
-    return converted(
-        joined_bits(bit, converted(word, bits), bits) if bit.pieces else moved, UNSIGNED[_bytes(bit.width)]
+    return (joined_bits(bit, word.converted(bits), bits) if bit.pieces else moved).converted(
+        UNSIGNED[_bytes(bit.width)]
     )
 
 
@@ -234,12 +232,12 @@ def holds(world: World, operand: Operand, content: Value | None, value: ScalarVa
     if operand.bit is not None and operand.bit.width == 1:
         truth = field_of(operand.bit, read)
         assert isinstance(truth, Operation)
-        return truth if value in (True, 1) else compared(truth.operands[0], "=", truth.operands[1])
+        return truth if value in (True, 1) else truth.operands[0].compared("=", truth.operands[1])
     number = field_of(operand.bit, read) if operand.bit is not None else read
     expected = constant(world, operand, content, value, number.type)
     if isinstance(expected, Truth):
-        return number if expected.value else compared(number, "=", expected)
-    return compared(number, "=", expected)
+        return number if expected.value else number.compared("=", expected)
+    return number.compared("=", expected)
 
 
 def constant(world: World, operand: Operand, content: Value | None, value: ScalarValue, kind: Type) -> Expression:

@@ -18,14 +18,12 @@ from fieldspec.targets.controllers.routines.scaling import times
 from fieldspec.targets.controllers.routines.world import World
 from fieldspec.targets.controllers.statements.expressions import (
     LREAL,
-    Conversion,
     Elementary,
     Expression,
     Fraction,
     Negation,
     Operation,
     Variable,
-    compared,
     either,
     every,
 )
@@ -95,19 +93,19 @@ class Conditions:
             raise NoBlock(f"no earlier step sends the value that `{step.target}` waits for")
         expected = self.arguments[step.argument]
         if step.within is None and not step.relative and expected.type == raw.type:
-            return [], compared(raw, "=", expected)
+            return [], raw.compared("=", expected)
         away = _difference(raw, expected)
         if step.relative:
-            away = Operation("-", (_difference(raw, self._at_start(step, raw)), _real(expected)), LREAL)
+            away = _difference(raw, self._at_start(step, raw)).combined("-", _real(expected))
         if operand.value is not None and operand.value.scaled:
             away = times(away, Ratio(operand.value.scale))
         distance = self.draft.declared_once("lrAway", LREAL, "local", "how far it is from where it was sent")
         computed: list[Statement] = [Assignment(distance, away)]
         if step.within is None:
-            return computed, compared(distance, "=", Fraction("0.0"))
+            return computed, distance.compared("=", Fraction("0.0"))
         window = self._window(step, operand)
-        minus = Operation("-", (Fraction("0.0"), window), LREAL)
-        return computed, every([compared(distance, "<=", window), compared(distance, ">=", minus)])
+        minus = Fraction("0.0").combined("-", window)
+        return computed, every([distance.compared("<=", window), distance.compared(">=", minus)])
 
     def _window(self, step: Step, operand: Operand) -> Variable:
         """The input for the distance within which a device counts as at its target."""
@@ -253,8 +251,8 @@ def _real(value: Expression) -> Expression:
     assert isinstance(kind, Elementary)
     if kind.family not in ("signed", "unsigned"):
         raise NoBlock("what it compares is not a whole number")
-    return Conversion(value, LREAL)
+    return value.converted(LREAL)
 
 
 def _difference(first: Expression, second: Expression) -> Expression:
-    return Operation("-", (_real(first), _real(second)), LREAL)
+    return _real(first).combined("-", _real(second))

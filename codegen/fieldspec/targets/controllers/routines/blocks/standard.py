@@ -15,14 +15,11 @@ from fieldspec.targets.controllers.statements.expressions import (
     BOOL,
     TIME,
     TIMER,
-    UINT,
     Expression,
     Member,
     StructType,
     Truth,
     Variable,
-    Whole,
-    compared,
     either,
     every,
     number,
@@ -94,7 +91,7 @@ class BlockDraft(BlockVariables):
         self.expansion, self.action = expansion, expansion.action
         self.result, self.step = self.variable("Diagnostics"), self.variable("iStep")
         self.reason = self.refusal = self.variable("uiReason")
-        self.good = compared(self.result, "=", self.status.of("ok"))
+        self.good = self.result.compared("=", self.status.of("ok"))
 
     def variable(self, name: str) -> Variable:
         """A variable of the source."""
@@ -133,7 +130,7 @@ class BlockDraft(BlockVariables):
 
     def unrefused(self) -> Expression:
         """Whether no value of an input is refused."""
-        return compared(self.refusal, "=", Whole(0, UINT))
+        return self.refusal.compared("=", 0)
 
     def add(self, ask: Iterable[Statement], take: Iterable[Statement] = (), remark: str = "") -> int:
         """Adds a step, and gives its number."""
@@ -177,7 +174,7 @@ class BlockDraft(BlockVariables):
         """The statement that calls the timer of what was sent, where a step waits for it."""
         if not self.settling:
             return []
-        running = either([compared(self.step, "=", number(step)) for step in self.settling])
+        running = either([self.step.compared("=", step) for step in self.settling])
         return [Timing(Variable("fbSettle", TIMER), running, Variable("SettlingTime", TIME))]
 
     def between(self, first: int, last: int) -> Expression:
@@ -185,8 +182,8 @@ class BlockDraft(BlockVariables):
         if not last:
             return Truth(False)
         if first == last:
-            return compared(self.step, "=", number(first))
-        return every([compared(self.step, ">=", number(first)), compared(self.step, "<=", number(last))])
+            return self.step.compared("=", first)
+        return every([self.step.compared(">=", first), self.step.compared("<=", last)])
 
     def branches(self, asks: bool) -> Branches:
         """The branches of a CASE over the step, without those for steps that have no statements."""
@@ -201,7 +198,7 @@ class BlockDraft(BlockVariables):
 
     def unharmed(self) -> Expression:
         """Whether there is no reason to end with an error."""
-        return compared(self.reason, "=", Whole(0, UINT))
+        return self.reason.compared("=", 0)
 
     def attempts(self, calls: Iterable[Expression], success: Body, reason: str) -> list[Statement]:
         """The statements that call functions while each returns Ok, and go on with `success`, or fail."""

@@ -18,13 +18,10 @@ from fieldspec.targets.controllers.statements.expressions import (
     INT,
     UINT,
     ArrayType,
-    Element,
     Expression,
     Truth,
     Variable,
-    compared,
     number,
-    plus,
 )
 from fieldspec.targets.controllers.statements.routine import Assignment, Routine, Statement, when
 
@@ -59,7 +56,7 @@ def _group_block(world: World, group: RegisterGroup, direction: str, routine: Ro
         Assignment(port("address"), address),
         Assignment(port("count"), count),
     ]
-    _add(block, direction, call, ask, [block.end()], compared(count, "<", number(1)), count)
+    _add(block, direction, call, ask, [block.end()], count.compared("<", 1), count)
     title = group.title or Name.of(group.name).title()
     block.remarks += [
         f"{direction.title()}s registers: {title}. {world.comment(group, None)}".strip(),
@@ -82,7 +79,7 @@ def _add(
         block.request(block.attempts([call], tuple(block.ask(*ask)), "request"), success)
         return
     status = block.status
-    too_many = compared(count, ">", number(block.world.words.high + 1))
+    too_many = count.compared(">", block.world.words.high + 1)
     refused: list[Statement] = [Assignment(block.result, status.of("no_room")), block.fail("request")]
     block.request(
         [chain([(few, refused), (too_many, refused)], block.ask(*ask))],
@@ -141,10 +138,10 @@ def _table_block(
     copied = block.declare(world.variable("element", kind), kind, "local")
     block.limit()
     block.at_start.append(Assignment(index, low))
-    element = Element(data, index, kind)
+    element = data.element(index)
     ready: list[Statement] = [Assignment(copied, element)] if direction == "write" else []
     after: list[Statement] = [Assignment(element, copied)] if direction == "read" else []
-    following = when(compared(index, "<", high), [Assignment(index, plus(index, 1))], [block.end()])
+    following = when(index.compared("<", high), [Assignment(index, index.plus(1))], [block.end()])
     _transfer(block, table, direction, routine, by_name, index, copied, [*after, following], ready)
     _about(block, world, table, f"{direction.title()}s elements of {table.name}, one after the other.")
     return block.block()

@@ -17,6 +17,7 @@ from fieldspec.targets.controllers.routines.blocks.line_tasks import Decide, Lin
 from fieldspec.targets.controllers.routines.blocks.lines import LineDraft
 from fieldspec.targets.controllers.routines.blocks.operands import NoBlock, argument, bit_of_argument, constant, kind_of
 from fieldspec.targets.controllers.routines.blocks.progress import Seen
+from fieldspec.targets.controllers.routines.drafts import Draft
 from fieldspec.targets.controllers.routines.holders import Words
 from fieldspec.targets.controllers.routines.named_numbers import mask_of, named
 from fieldspec.targets.controllers.routines.values import Wire, read, write
@@ -31,10 +32,9 @@ from fieldspec.targets.controllers.statements.expressions import (
     Operation,
     Truth,
     Variable,
-    converted,
     number,
 )
-from fieldspec.targets.controllers.statements.routine import Assignment, Draft, Routine, Statement, when
+from fieldspec.targets.controllers.statements.routine import Assignment, Routine, Statement, when
 
 _SETTLE = "T#100ms"
 
@@ -68,7 +68,7 @@ class Helpers:
         description = (
             f"{direction}: {fact.printed_name or register.name}. {self.world.comment(fact, fact.value)}".strip()
         )
-        return Draft(name, "blocks", self.world.status, description)
+        return Draft(self.world, name, "blocks", description)
 
     def _holder(self, draft: Draft, first: Expression, remark: str) -> Words:
         array = draft.declare("aWords", self.world.words, "in_out", remark)
@@ -80,7 +80,7 @@ class Helpers:
         holder = self._holder(draft, first, "is read only")
         kind = self.world.type_of(register.register.answer)
         value = draft.declare(self.world.variable(register.name, kind), kind, "output")
-        draft.add(read(draft, self.world, Wire.of_answer(register), holder, 0, value))
+        draft.add(read(draft, Wire.of_answer(register), holder, value))
         return draft.finished()
 
     def _packed(self, name: str, register: RegisterLayout) -> Routine:
@@ -88,7 +88,7 @@ class Helpers:
         kind = self.world.type_of(register.register.value)
         value = draft.declare(self.world.variable(register.name, kind), kind, "input")
         holder = self._holder(draft, number(0), "receives the words")
-        draft.add(write(draft, self.world, Wire.of_register(register), holder, 0, value))
+        draft.add(write(draft, Wire.of_register(register), holder, value))
         return draft.finished()
 
 
@@ -317,5 +317,5 @@ def masked(word: Expression, changed: Iterable[Bit], on: bool) -> Statement:
     by_place = {bit.first: bit for bit in changed}
     masks = [mask_of(by_place[first], bits) for first in sorted(by_place)]
     mask = masks[0] if len(masks) == 1 else Operation("OR", tuple(masks), bits)
-    operands = (converted(word, bits), mask if on else Negation(mask, bits))
-    return Assignment(word, converted(Operation("OR" if on else "AND", operands, bits), kind))
+    operands = (word.converted(bits), mask if on else Negation(mask, bits))
+    return Assignment(word, Operation("OR" if on else "AND", operands, bits).converted(kind))
