@@ -42,8 +42,8 @@ ALL = (
 TURNS = (
     "The peer, pymodbus, has become faster. It takes 3.7 times as long as a loop over the 256-entry CRC table; when "
     "the goal was set, it took 4.7 times as long. Even the shortest hand-written code that creates the same objects, "
-    "for one message and without a link, reaches only the ratio 8.0. The ratio to construct is 29 to 31, depending on"
-    " the run."
+    "for one message and without a link, reaches only the ratio 8.0. Compared with the package construct, the ratio is "
+    "29 to 31, depending on the run."
 )
 TESTS = (
     "Eighteen fields have ranges, and a comparison takes 9 ns, so range checks take half of the time. Without range "

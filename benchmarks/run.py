@@ -101,7 +101,7 @@ def _lines(rows: list[Row], results: dict[str, Any]) -> Iterator[str]:
         most = max(results[name]["load"] for name in busy)
         yield (
             f"\nThese benchmarks began while the machine had a load of up to {most}, in part from an earlier "
-            f"benchmark: {', '.join(f'`{name}`' for name in busy)}. Their times by the clock can therefore be too long."
+            f"benchmark, so their times by the clock can be too long: {', '.join(f'`{name}`' for name in busy)}."
         )
     yield from (f"\n`{name}`: {results[name]['note']}" for name in FILES if results.get(name, {}).get("note"))
     if missing := [name for name in FILES if name not in results]:
