@@ -8,11 +8,12 @@ import shutil
 import signal
 import tempfile
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from pathlib import Path
 
 import pytest
+from _pytest.assertion import rewrite
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 from xdist.workermanage import WorkerController
@@ -152,6 +153,23 @@ def pytest_configure(config: pytest.Config) -> None:
     gc.disable()
     if hasattr(config, "workerinput"):
         FOLDERS.append(Path(config.workerinput[SHARED]))
+        if not config.option.file_or_dir:
+            name, workers = config.workerinput["workerid"], config.workerinput["workercount"]
+            rewrite_tests(config, sorted(TESTS.rglob("test_*.py"))[int(name.removeprefix("gw")) % workers :: workers])
+
+
+def rewrite_tests(config: pytest.Config, paths: Iterable[Path]) -> None:
+    """Keeps the bytecode of some tests, for all workers to load.
+
+    Rewriting their assertions takes several seconds, which each worker would do for all tests where Python may not
+    write bytecode by itself, or where none is there yet.
+    """
+    for path in paths:
+        folder = rewrite.get_cache_dir(path)
+        target = folder / f"{path.stem}{rewrite.PYC_TAIL}"
+        if rewrite._read_pyc(path, target) is None and rewrite.try_makedirs(folder):
+            source_hash, code = rewrite._rewrite_test(path, config)
+            rewrite._write_pyc(config.stash[rewrite.assertstate_key], code, source_hash, target)
 
 
 def pytest_configure_node(node: WorkerController) -> None:
@@ -164,9 +182,11 @@ def pytest_configure_node(node: WorkerController) -> None:
 
 
 def pytest_xdist_auto_num_workers() -> int:
-    """Up to two workers more than processors: tests that talk to devices and browsers wait for most of their time."""
-    processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return processors + min(processors, 2)
+    """One worker more than processors: tests that talk to devices and browsers wait for most of their time.
+
+    Each worker collects all tests.
+    """
+    return 1 + (len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:

@@ -32,6 +32,7 @@ from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.text_form import TextForm
 from fieldspec.language.model.value import ParameterPart, Sentinel, Value
 from fieldspec.language.reading.project import read
+from shared_results import shared
 from spec_files import gadget
 
 TEST_SPECS = Path(__file__).parent / "specs"
@@ -255,19 +256,22 @@ def ignored(holder: str, noun: type, attribute: str) -> bool:
     return any(name in IGNORED for name in names)
 
 
+PAIRS: list[tuple[str, type]] = shared("pairs_of_classes", lambda: list(positions()))
+"""The classes that occur in devices, each with a class that contains it."""
+
 NEVER_ABSENT = {
     noun.__name__: [
         name
         for name, hint in typing.get_type_hints(noun, localns={"Fraction": Fraction}).items()
         if dataclasses.is_dataclass(hint) and hint is not Primitive and hint is not Place
     ]
-    for _, noun in positions()
+    for _, noun in PAIRS
 }
 """Attributes that always have a dataclass as their value; the attributes of that dataclass are changed."""
 
 CASES = [
     pytest.param(holder, noun, field.name, id=f"{holder}/{noun.__name__}.{field.name}")
-    for holder, noun in positions()
+    for holder, noun in PAIRS
     for field in dataclasses.fields(noun)
     if field.name not in NEVER_ABSENT.get(noun.__name__, ())
 ]
