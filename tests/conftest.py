@@ -9,7 +9,6 @@ import signal
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
-from functools import lru_cache
 from pathlib import Path
 
 import pytest
@@ -18,11 +17,9 @@ from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 from xdist.workermanage import WorkerController
 
+import parsed_once
 from fieldspec import command
-from fieldspec.foundation.source import Refused
 from fieldspec.language.model.codecs import provide
-from fieldspec.language.reading import project, yaml_reader
-from fieldspec.language.reading.memory import FileRead, file_read
 from package_site import example_codecs
 from proofs import IS_WHOLE, share
 from shared_results import FOLDERS
@@ -30,6 +27,7 @@ from shared_results import FOLDERS
 TESTS = Path(__file__).parent
 
 assert command  # which provides those of installed packages
+assert parsed_once  # which has large specs read once
 provide(example_codecs)
 
 SLOW = (
@@ -107,24 +105,6 @@ assert callable(providers._get_local_constants)
 NO_CONSTANTS = providers.Constants()
 providers._get_local_constants = lambda: NO_CONSTANTS
 
-
-# Tests read the same specs again and again, most of them through verbs. As for an editor, a large file is parsed once.
-LARGE = 4000
-"""Bytes of a file that takes longer to parse than to find again."""
-
-
-def _file_read(path: str, data: bytes, earlier: FileRead | None) -> FileRead:
-    if earlier is not None or len(data) < LARGE or isinstance(data, Refused):
-        return file_read(path, data, earlier)
-    return _parsed_once(path, bytes(data), yaml_reader._Parser)
-
-
-@lru_cache(maxsize=200)
-def _parsed_once(path: str, data: bytes, parser: object) -> FileRead:
-    return file_read(path, data, None)
-
-
-project.file_read = _file_read
 
 # A shell that starts the tests in the background has them ignore interrupts, which the commands under test would
 # inherit.
