@@ -35,7 +35,7 @@ def test_a_page_opens_without_errors_and_asks_for_its_scripts_alone(
 def test_a_page_follows_the_colour_scheme(browser: webdriver.Chrome, folder: Path, scheme: str, dark: bool) -> None:
     media = {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
     browser.execute_cdp_cmd("Emulation.setEmulatedMedia", media)
-    browser.get((folder / "widget/2.0.html").as_uri())
+    browser.get((folder / "gadget/1.html").as_uri())
     ground = browser.execute_script("return getComputedStyle(document.body).backgroundColor")
     text = browser.execute_script("return getComputedStyle(document.body).color")
     level = {name: sum(map(int, value[4:-1].split(","))) for name, value in (("ground", ground), ("text", text))}
@@ -50,7 +50,7 @@ def test_hostile_texts_run_nothing(browser: webdriver.Chrome, folder: Path) -> N
 
 
 def test_a_page_can_be_printed(browser: webdriver.Chrome, folder: Path) -> None:
-    browser.get((folder / "widget/2.0.html").as_uri())
+    browser.get((folder / "gadget/1.html").as_uri())
     browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     try:
         assert not browser.find_element(By.TAG_NAME, "aside").is_displayed()
