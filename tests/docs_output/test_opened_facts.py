@@ -163,4 +163,4 @@ def test_axe_finds_no_violation_in_an_open_fact(
     with screen(browser, width, scheme):
         open_page(browser, folder / "glider-x/1.1.html", f"#{anchor}")
         opened(browser)
-        assert violations(browser) == []
+        assert violations(browser, f"#{anchor.partition('/')[0]}") == []

@@ -155,9 +155,11 @@ def test_arrows_and_enter_lead_to_a_fact_and_escape_ends_the_search(browser: web
 
 
 def test_enter_in_the_box_opens_the_first_result(browser: webdriver.Chrome, folder: Path) -> None:
-    search(browser, folder / "index.html", "0x7E6")
+    search(browser, folder / "index.html", "compliance_margins")
     browser.switch_to.active_element.send_keys(Keys.ENTER)
-    WebDriverWait(browser, 10).until(lambda _: browser.current_url.endswith("ck10/1.html#registers/push_mode"))
+    WebDriverWait(browser, 10).until(
+        lambda _: browser.current_url.endswith("servo/1.html#registers/compliance_margins")
+    )
 
 
 def test_a_fact_of_another_version_leads_to_that(browser: webdriver.Chrome, folder: Path) -> None:
