@@ -59,7 +59,7 @@ def test_mypy_is_content_with_the_package(package: Path) -> None:
 def test_pyright_is_content_with_the_package(package: Path) -> None:
     # Versions of a device differ little, and mypy reads all of them.
     devices = [versions for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
-    judged = share(devices, 2)
+    judged = share(devices, 4)
     left_out = [layout for versions in devices for layout in (versions[:-1] if versions in judged else versions)]
     older = tuple(stem(layout.device.id, layout.device.version) for layout in left_out)
     files = sorted((package / PACKAGE).rglob("*.py"))
