@@ -8,8 +8,10 @@ import shutil
 import signal
 import tempfile
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 from _pytest.assertion import rewrite
@@ -91,6 +93,9 @@ MEMORY = Path("/dev/shm")
 ROOM = 4 << 30
 """Bytes that all files of a run have room in."""
 
+AT_ONCE = 0.01
+"""Seconds of a fixture that no report shows."""
+
 SHARED = "shared_results"
 SHARED_FOLDER = pytest.StashKey[str]()
 
@@ -133,9 +138,20 @@ def pytest_configure(config: pytest.Config) -> None:
     gc.disable()
     if hasattr(config, "workerinput"):
         FOLDERS.append(Path(config.workerinput[SHARED]))
+        if config.option.verbose <= 0:
+            (worker,) = (plugin for plugin in config.pluginmanager.get_plugins() if hasattr(plugin, "sendevent"))
+            worker.sendevent = partial(_send_what_matters, worker.sendevent)
         if not config.option.file_or_dir:
             name, workers = config.workerinput["workerid"], config.workerinput["workercount"]
             rewrite_tests(config, sorted(TESTS.rglob("test_*.py"))[int(name.removeprefix("gw")) % workers :: workers])
+
+
+def _send_what_matters(send: Callable[..., None], name: str, **content: Any) -> None:
+    """Tells the process that prints results nothing of fixtures that were ready at once; each report costs it 1 ms."""
+    report = content.get("data", {}) if name == "testreport" else {}
+    is_nothing = report.get("outcome") == "passed" and report["when"] != "call" and report["duration"] < AT_ONCE
+    if not is_nothing and name not in ("logstart", "logfinish"):
+        send(name, **content)
 
 
 def rewrite_tests(config: pytest.Config, paths: Iterable[Path]) -> None:
