@@ -8,20 +8,20 @@ import shutil
 import signal
 import tempfile
 from collections import defaultdict
-from collections.abc import Iterator
-from functools import lru_cache
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
+from _pytest.assertion import rewrite
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 from xdist.workermanage import WorkerController
 
+import parsed_once
 from fieldspec import command
-from fieldspec.foundation.source import Refused
 from fieldspec.language.model.codecs import provide
-from fieldspec.language.reading import project, yaml_reader
-from fieldspec.language.reading.memory import FileRead, file_read
 from package_site import example_codecs
 from proofs import IS_WHOLE, share
 from shared_results import FOLDERS
@@ -29,6 +29,7 @@ from shared_results import FOLDERS
 TESTS = Path(__file__).parent
 
 assert command  # which provides those of installed packages
+assert parsed_once  # which has large specs read once
 provide(example_codecs)
 
 SLOW = (
@@ -92,6 +93,9 @@ MEMORY = Path("/dev/shm")
 ROOM = 4 << 30
 """Bytes that all files of a run have room in."""
 
+AT_ONCE = 0.01
+"""Seconds of a fixture that no report shows."""
+
 SHARED = "shared_results"
 SHARED_FOLDER = pytest.StashKey[str]()
 
@@ -106,24 +110,6 @@ assert callable(providers._get_local_constants)
 NO_CONSTANTS = providers.Constants()
 providers._get_local_constants = lambda: NO_CONSTANTS
 
-
-# Tests read the same specs again and again, most of them through verbs. As for an editor, a large file is parsed once.
-LARGE = 4000
-"""Bytes of a file that takes longer to parse than to find again."""
-
-
-def _file_read(path: str, data: bytes, earlier: FileRead | None) -> FileRead:
-    if earlier is not None or len(data) < LARGE or isinstance(data, Refused):
-        return file_read(path, data, earlier)
-    return _parsed_once(path, bytes(data), yaml_reader._Parser)
-
-
-@lru_cache(maxsize=200)
-def _parsed_once(path: str, data: bytes, parser: object) -> FileRead:
-    return file_read(path, data, None)
-
-
-project.file_read = _file_read
 
 # A shell that starts the tests in the background has them ignore interrupts, which the commands under test would
 # inherit.
@@ -152,6 +138,34 @@ def pytest_configure(config: pytest.Config) -> None:
     gc.disable()
     if hasattr(config, "workerinput"):
         FOLDERS.append(Path(config.workerinput[SHARED]))
+        if config.option.verbose <= 0:
+            (worker,) = (plugin for plugin in config.pluginmanager.get_plugins() if hasattr(plugin, "sendevent"))
+            worker.sendevent = partial(_send_what_matters, worker.sendevent)
+        if not config.option.file_or_dir:
+            name, workers = config.workerinput["workerid"], config.workerinput["workercount"]
+            rewrite_tests(config, sorted(TESTS.rglob("test_*.py"))[int(name.removeprefix("gw")) % workers :: workers])
+
+
+def _send_what_matters(send: Callable[..., None], name: str, **content: Any) -> None:
+    """Tells the process that prints results nothing of fixtures that were ready at once; each report costs it 1 ms."""
+    report = content.get("data", {}) if name == "testreport" else {}
+    is_nothing = report.get("outcome") == "passed" and report["when"] != "call" and report["duration"] < AT_ONCE
+    if not is_nothing and name not in ("logstart", "logfinish"):
+        send(name, **content)
+
+
+def rewrite_tests(config: pytest.Config, paths: Iterable[Path]) -> None:
+    """Keeps the bytecode of some tests, for all workers to load.
+
+    Rewriting their assertions takes several seconds, which each worker would do for all tests where Python may not
+    write bytecode by itself, or where none is there yet.
+    """
+    for path in paths:
+        folder = rewrite.get_cache_dir(path)
+        target = folder / f"{path.stem}{rewrite.PYC_TAIL}"
+        if rewrite._read_pyc(path, target) is None and rewrite.try_makedirs(folder):
+            source_hash, code = rewrite._rewrite_test(path, config)
+            rewrite._write_pyc(config.stash[rewrite.assertstate_key], code, source_hash, target)
 
 
 def pytest_configure_node(node: WorkerController) -> None:
@@ -164,9 +178,11 @@ def pytest_configure_node(node: WorkerController) -> None:
 
 
 def pytest_xdist_auto_num_workers() -> int:
-    """Up to two workers more than processors: tests that talk to devices and browsers wait for most of their time."""
-    processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return processors + min(processors, 2)
+    """One worker more than processors: tests that talk to devices and browsers wait for most of their time.
+
+    Each worker collects all tests.
+    """
+    return 1 + (len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:

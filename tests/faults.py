@@ -2,19 +2,37 @@
 
 The functions of `os` that change files count their calls. At the n-th one, a fault takes place instead of it, or in the
 middle of it; what follows goes on as usual, or fails too where the fault lasts.
+
+A process with all tests in its memory takes a tenth of a second to fork. A small one, this module, forks in its place.
 """
 
 from __future__ import annotations
 
+import atexit
 import errno
+import gc
+import json
 import os
+import shutil
 import signal
+import subprocess
+import sys
+import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
+from functools import cache, partial
+from pathlib import Path
 from typing import Any
 
 import pytest
+
+import parsed_once
+from faulty_works import WORKS
+from fieldspec.command.builds import workers
+
+assert parsed_once  # as in the tests
+CACHE = "FIELDSPEC_CACHE"
 
 CHANGING = ("open", "write", "fsync", "replace", "rename", "link", "unlink", "remove", "mkdir", "rmdir")
 
@@ -92,11 +110,65 @@ def operations(fault: Fault | None = None, at: int = 0) -> Iterator[Operations]:
         yield counter
 
 
-def struck(work: Callable[[], object], fault: Fault, at: int) -> bool:
+def struck(work: Callable[[Path], object], folder: Path, fault: Fault, at: int) -> bool:
     """Does some work in a process of its own, with a fault at operation `at`; returns whether the work got that far."""
+    process = _small_process()
+    assert process.stdin is not None
+    assert process.stdout is not None
+    job = [work.__name__, str(folder), FAULTS.index(fault), at, os.environ[CACHE]]
+    process.stdin.write(json.dumps(job) + "\n")
+    process.stdin.flush()
+    return bool(json.loads(process.stdout.readline()))
+
+
+@cache
+def _small_process() -> subprocess.Popen[str]:
+    process = subprocess.Popen(
+        [sys.executable, __file__],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )
+    atexit.register(process.communicate)
+    return process
+
+
+def serve() -> None:
+    """Strikes the works that are asked for, each after it was done once: what it loads and keeps is there then."""
+    workers.WORTH_IT = 10**9  # a build stays in the process with the fault
+    known: set[tuple[str, str]] = set()
+    for line in sys.stdin:
+        name, folder, fault, at, cache_folder = json.loads(line)
+        os.environ[CACHE] = cache_folder
+        if (name, folder) not in known:
+            known.add((name, folder))
+            _rehearse(name, Path(folder))
+        answer = _struck_here(partial(WORKS[name], Path(folder)), FAULTS[fault], at)
+        print(json.dumps(answer), flush=True)
+
+
+def _rehearse(name: str, folder: Path) -> None:
+    with (
+        tempfile.TemporaryDirectory() as place,
+        open(os.devnull, "w") as nowhere,
+        pytest.MonkeyPatch.context() as patch,
+    ):
+        shutil.copytree(folder, f"{place}/copy", symlinks=True)
+        patch.setenv(CACHE, f"{place}/cache")
+        patch.setattr(sys, "stdout", nowhere)
+        patch.setattr(sys, "stderr", nowhere)
+        WORKS[name](Path(place, "copy"))
+    gc.collect()
+    gc.freeze()
+
+
+def _struck_here(work: Callable[[], object], fault: Fault, at: int) -> bool:
+    """Does some work in a forked process, with a fault at operation `at`; returns whether the work got that far."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
+        gc.disable()
         reached = False
         try:
             with open(os.devnull, "w") as nowhere:
@@ -114,3 +186,7 @@ def struck(work: Callable[[], object], fault: Fault, at: int) -> bool:
     os.close(reading)
     _, status = os.waitpid(child, 0)
     return os.WIFSIGNALED(status) or output == b"1"
+
+
+if __name__ == "__main__":
+    serve()

@@ -32,6 +32,7 @@ from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.text_form import TextForm
 from fieldspec.language.model.value import ParameterPart, Sentinel, Value
 from fieldspec.language.reading.project import read
+from shared_results import shared
 from spec_files import gadget
 
 TEST_SPECS = Path(__file__).parent / "specs"
@@ -255,19 +256,28 @@ def ignored(holder: str, noun: type, attribute: str) -> bool:
     return any(name in IGNORED for name in names)
 
 
+@cache
+def hints(noun: type) -> dict[str, Any]:
+    """The types of the attributes of a class."""
+    return typing.get_type_hints(noun, localns={"Fraction": Fraction})
+
+
+PAIRS: list[tuple[str, type]] = shared("pairs_of_classes", lambda: list(positions()))
+"""The classes that occur in devices, each with a class that contains it."""
+
 NEVER_ABSENT = {
     noun.__name__: [
         name
-        for name, hint in typing.get_type_hints(noun, localns={"Fraction": Fraction}).items()
+        for name, hint in hints(noun).items()
         if dataclasses.is_dataclass(hint) and hint is not Primitive and hint is not Place
     ]
-    for _, noun in positions()
+    for _, noun in PAIRS
 }
 """Attributes that always have a dataclass as their value; the attributes of that dataclass are changed."""
 
 CASES = [
     pytest.param(holder, noun, field.name, id=f"{holder}/{noun.__name__}.{field.name}")
-    for holder, noun in positions()
+    for holder, noun in PAIRS
     for field in dataclasses.fields(noun)
     if field.name not in NEVER_ABSENT.get(noun.__name__, ())
 ]
@@ -279,7 +289,7 @@ NAMES = {"algorithm": ("lrc", "sum8"), "encoding": ("latin_1", "utf_8")}
 
 def noticed(holder: str, noun: type, attribute: str) -> set[str]:
     """The rules that notice another value of an attribute, wherever the class occurs."""
-    hint = typing.get_type_hints(noun, localns={"Fraction": Fraction})[attribute]
+    hint = hints(noun)[attribute]
     rules: set[str] = set()
     for device, _, item, path in positions()[holder, noun]:
         # An algorithm without a name has no size, and an encoding without one no title.

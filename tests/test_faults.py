@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from faults import FAULTS, Fault, struck
-from fieldspec.cli import main
-from fieldspec.command.builds import freshness, workers
+from faulty_works import GONE, NEW, built, exported, imported, new, placed, repaired, signed
+from fieldspec.command.builds import workers
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files.cache_folder import TAG
 from fieldspec.command.files.placement import Staging, begin, complete, prepared, undo
@@ -79,26 +79,17 @@ class Work:
         shutil.rmtree(self.folder, ignore_errors=True)
         shutil.copytree(self.before, self.folder, symlinks=True)
 
-    def faulty(self, fault: Fault, step: int = 1) -> Iterator[int]:
-        """Puts a fault at each operation in turn, or at every n-th one."""
-        for number in range(1, MOST, step):
+    def faulty(self, fault: Fault, step: int = 1, first: int = 1) -> Iterator[int]:
+        """Puts a fault at each operation in turn, or at every n-th one from the first."""
+        for number in range(first, MOST, step):
             self.reset()
-            if not struck(lambda: self.work(self.folder), fault, number):
+            if not struck(self.work, self.folder, fault, number):
                 return
             yield number
         raise AssertionError("there is no end of operations")
 
 
 OLD = {"a/one": b"1", "a/two": b"2", "b/three": b"3", "gone/four": b"4", "mine": b"not ours", "same": b"s"}
-NEW = {"a/one": b"11", "b/three": b"33", "c/d/five": b"5", "six": b"6"}
-GONE = ["a/two", "gone/four"]
-
-
-def placed(folder: Path) -> None:
-    with Staging(folder) as beside:
-        for path, content in NEW.items():
-            beside.write(path, content)
-        beside.place([*NEW], GONE)
 
 
 @pytest.fixture
@@ -153,8 +144,8 @@ def test_signals_during_operations_change_nothing(files: Work) -> None:
 def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
     kill = FAULTS[0]
     unfinished = 0
-    for first in files.faulty(kill):
-        if not left_over(files.folder) or first % REPAIRS:
+    for first in files.faulty(kill, REPAIRS, REPAIRS):
+        if not left_over(files.folder):
             continue
         broken = files.folder.with_name("broken")
         shutil.rmtree(broken, ignore_errors=True)
@@ -163,24 +154,13 @@ def test_a_repair_that_is_interrupted_is_repaired(files: Work) -> None:
             for second in range(1, MOST):
                 shutil.rmtree(files.folder)
                 shutil.copytree(broken, files.folder, symlinks=True)
-
-                def repaired() -> None:
-                    with Staging(files.folder):
-                        pass
-
-                if not struck(repaired, fault, second):
+                if not struck(repaired, files.folder, fault, second):
                     break
                 unfinished += 1
-                repaired()
+                repaired(files.folder)
                 assert state(files.folder) in (files.old, files.new), f"at operations {first} and {second}"
                 assert left_over(files.folder) == []
     assert unfinished > 200 / REPAIRS
-
-
-def built(folder: Path, *more: str) -> int:
-    freshness._at_start.clear()
-    words = ["build", "--specs", str(folder / "specs"), "--out", str(folder / "out"), "--to", "vectors,c"]
-    return main([*words, *more])
 
 
 @pytest.fixture
@@ -233,23 +213,6 @@ def test_a_build_leaves_the_old_outputs_or_the_new_ones(
 
 
 LIST = "Address,Name,Type,Access\n0x10,speed,u16,rw\n0x11,torque,u16,r\n"
-
-
-def imported(folder: Path) -> int:
-    return main(["import", str(folder / "list.csv"), "--to", str(folder / "specs/pump/device.yaml")])
-
-
-def signed(folder: Path) -> int:
-    who = ("--sign", "all", "--by", "second reader", "--on", "2026-01-31")
-    return main(["audit", "gadget", *who, "--specs", str(folder / "specs")])
-
-
-def new(folder: Path) -> int:
-    return main(["new", "device", "pump", "--protocol", "packet", "--specs", str(folder / "specs")])
-
-
-def exported(folder: Path) -> int:
-    return main(["export", "gadget", "--out", str(folder / "list.csv"), "--specs", str(folder / "specs")])
 
 
 VERBS: dict[str, Callable[[Path], int]] = {"import": imported, "--sign": signed, "new": new, "export": exported}

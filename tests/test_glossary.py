@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from compiler_modules import PACKAGE, tree
+from compiler_modules import PACKAGE, nodes
 
 ROOT = Path(__file__).parent.parent
 GLOSSARY = "".join((ROOT / "docs" / name).read_text("utf-8") for name in ("glossary.md", "naming.md"))
@@ -70,11 +70,6 @@ def names(nodes: Iterable[ast.AST]) -> Iterator[tuple[int, str]]:
             yield node.lineno, node.name
 
 
-def nodes_of(path: Path) -> Iterator[ast.AST]:
-    """All nodes of a Python file."""
-    return ast.walk(tree(path))
-
-
 def is_attribute(node: ast.Name) -> bool:
     """Whether a name is stored at the indentation of a class body, as an attribute of a class of data."""
     return node.col_offset == 4 and node.id == "one"
@@ -118,7 +113,7 @@ def wrong_names(path: Path) -> list[str]:
     place = path.relative_to(ROOT).as_posix()
     own = not path.stem.startswith("test_") and is_wrong(path.stem)
     places = [f"{place}: the name of the file"] if own else []
-    return places + [f"{place}:{line}: {name}" for line, name in names(nodes_of(path)) if is_wrong(name)]
+    return places + [f"{place}:{line}: {name}" for line, name in names(nodes(path)) if is_wrong(name)]
 
 
 def test_the_glossary_forbids_words() -> None:
@@ -135,8 +130,8 @@ def code_names() -> set[str]:
 def test_names_of_code_are_in_the_compiler() -> None:
     expected = code_names()
     assert {"DeviceLayout", "FrameLayout", "Register"} <= expected
-    nodes = (node for path in PACKAGE.rglob("*.py") for node in nodes_of(path))
-    compiler = {getattr(node, name, None) for node in nodes for name in ("id", "attr", "name", "arg")}
+    every = (node for path in PACKAGE.rglob("*.py") for node in nodes(path))
+    compiler = {getattr(node, name, None) for node in every for name in ("id", "attr", "name", "arg")}
     assert expected - compiler == set()
 
 
@@ -149,7 +144,7 @@ def test_names_follow_the_glossary(name: str) -> None:
 def names_inside(path: Path) -> Iterator[tuple[int, str]]:
     """The names that the functions of a file bind: parameters, local values and inner functions, with their lines."""
     seen: set[tuple[int, str]] = set()
-    for function in nodes_of(path):
+    for function in nodes(path):
         if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
             body = [function.body] if isinstance(function, ast.Lambda) else function.body
             for part in (function.args, *body):
@@ -218,4 +213,4 @@ def held_value(given: int) -> int:
 def test_a_forbidden_word_is_seen_in_a_name(tmp_path: Path) -> None:
     path = tmp_path / "module.py"
     path.write_text(TEXT, "utf-8")
-    assert {name for _, name in names(nodes_of(path)) if is_wrong(name)} == {"held_value", "given", "one", "kept"}
+    assert {name for _, name in names(nodes(path)) if is_wrong(name)} == {"held_value", "given", "one", "kept"}

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from compiler_modules import GENERATED, MODULES, PACKAGE, imported, inside, tree
+from compiler_modules import GENERATED, MODULES, PACKAGE, imported, inside, nodes, tree
 from fieldspec.targets import BUILT_IN
 from proofs import share
 
@@ -128,7 +128,7 @@ def test_only_the_command_line_touches_the_world() -> None:
         f"{inside(path)}:{node.lineno}: {named(node)}"
         for path in MODULES
         if not inside(path).startswith(("cli.py", *COMMANDS))
-        for node in ast.walk(tree(path))
+        for node in nodes(path)
         if isinstance(node, ast.Call) and named(node) in TOUCHES_THE_WORLD
         if (inside(path), named(node)) not in NOT_THE_WORLD
     }
@@ -141,7 +141,7 @@ def test_lines_are_printed_only_where_they_are_escaped() -> None:
         f"{inside(path)}:{node.lineno}"
         for path in MODULES
         if inside(path) not in homes
-        for node in ast.walk(tree(path))
+        for node in nodes(path)
         if isinstance(node, ast.Call) and named(node) == "print"
         if not isinstance(node.func, ast.Attribute)  # that of a console of `rich`
     }
@@ -156,7 +156,7 @@ def test_html_comes_from_templates_which_escape_it() -> None:
         f"{inside(path)}:{node.lineno}"
         for path in MODULES
         if inside(path) not in homes
-        for node in ast.walk(tree(path))
+        for node in nodes(path)
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and end_tag.search(node.value)
     }
     assert uses == set()
@@ -166,7 +166,7 @@ def test_texts_are_read_and_written_as_utf8() -> None:
     uses = {
         f"{path.name}:{node.lineno}: {named(node)}"
         for path in [*MODULES, *TESTS]
-        for node in ast.walk(tree(path))
+        for node in nodes(path)
         if isinstance(node, ast.Call)
         and named(node) in ("read_text", "write_text")
         and ast.unparse(node.func) != "distribution.read_text"  # it takes the name of a file, and no encoding
@@ -180,7 +180,7 @@ def test_no_assertion_is_content_with_one_of_several_things() -> None:
     loose = [
         f"{path.relative_to(ROOT)}:{node.lineno}"
         for path in sorted((ROOT / "tests").rglob("*.py"))
-        for node in ast.walk(tree(path))
+        for node in nodes(path)
         if isinstance(node, ast.Assert) and is_loose(node.test)
     ]
     assert loose == []
@@ -193,7 +193,7 @@ def test_no_test_fails_because_the_machine_is_busy() -> None:
     # What takes too long is shown by the time of a processor, by memory or by counts: see tests/bounded.py.
     bound = []
     for path in sorted({*(ROOT / "tests").rglob("*.py")} - {ROOT / "tests" / "bounded.py"}):
-        for node in ast.walk(tree(path)):
+        for node in nodes(path):
             if isinstance(node, ast.Call) and named(node) in ("run", "communicate", "check_output", "check_call"):
                 limits = [word.value for word in node.keywords if word.arg == "timeout"]
                 numbers = [limit for limit in limits if isinstance(getattr(limit, "value", ""), int | float)]
@@ -273,7 +273,7 @@ def test_nothing_is_left_to_do() -> None:
     here = Path(__file__)
     files = [path for path in [*TEXTS, *TESTS, *(ROOT / "docs").glob("*.md")] if path != here]
     assert [path.name for path in files if UNDONE.search(path.read_text("utf-8"))] == []
-    raised = {inside(path) for path in MODULES for node in ast.walk(tree(path)) if is_stub(node)}
+    raised = {inside(path) for path in MODULES for node in nodes(path) if is_stub(node)}
     assert raised == set()
 
 

@@ -178,7 +178,7 @@ widget_client.AsyncClient(transports.tcp("localhost", 502))
 
 def test_a_type_checker_knows_what_users_get(package: Path) -> None:
     (package / "user.py").write_text(USER, encoding="utf-8")
-    command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.11", "--config-file=", "user.py"]
+    command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.10", "--config-file=", "user.py"]
     done = subprocess.run(command, cwd=package, env=environment(), capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout[-5000:]
 
@@ -194,7 +194,7 @@ def test_pyright_knows_what_users_get(package: Path) -> None:
 
 def test_a_type_checker_finds_what_users_get_wrong(package: Path) -> None:
     (package / "wrong.py").write_text(WRONG, encoding="utf-8")
-    command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.11", "--config-file=", "wrong.py"]
+    command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.10", "--config-file=", "wrong.py"]
     done = subprocess.run(command, cwd=package, env=environment(), capture_output=True, text=True, check=False)
     lines = sorted(int(line) for line in re.findall(r"wrong\.py:(\d+): error", done.stdout))
     assert lines == [*range(4, 19), *range(20, 24)], done.stdout[-5000:]

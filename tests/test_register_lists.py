@@ -20,10 +20,11 @@ from fieldspec.tools.lists.imported import imported
 from fieldspec.tools.lists.list_file import file_list
 
 FOLDER = Path(__file__).parent / "register_lists"
+Loader = yaml.CSafeLoader if yaml.__with_libyaml__ else yaml.SafeLoader
 CASES = {
     f"{path.stem}: {case['name']}": case
     for path in sorted(FOLDER.glob("*.yaml"))
-    for case in yaml.safe_load(path.read_text("utf-8"))
+    for case in yaml.load(path.read_text("utf-8"), Loader)
 }
 
 

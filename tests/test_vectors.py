@@ -18,17 +18,23 @@ from fieldspec.codec.layout.read_plan import read_plan
 from fieldspec.codec.reference import CodecError, codec
 from fieldspec.targets.vectors.backend import files
 from layouts import SPECS, TEST_SPECS, layouts
+from shared_results import shared
 
 FORMAT = Path(__file__).parent.parent / "docs" / "vectors.md"
 VERSIONS = {name: versions for root in (SPECS, TEST_SPECS) for name, versions in layouts(root).items()}
 
 
 @cache
+def texts() -> dict[str, str]:
+    """The output of each device."""
+    return shared("vectors", lambda: {name: next(iter(files(VERSIONS[name]).values())) for name in VERSIONS})
+
+
 def text(device: str) -> str:
-    (output,) = files(VERSIONS[device]).values()
-    return output
+    return texts()[device]
 
 
+@cache
 def document(device: str) -> dict[str, Any]:
     vectors: dict[str, Any] = json.loads(text(device))
     return vectors

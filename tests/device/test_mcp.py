@@ -9,7 +9,6 @@ import sys
 from typing import Any
 
 import pytest
-from mcp import ClientSession, StdioServerParameters, stdio_client
 
 from fieldspec.testing import simulation
 from simulators import SPECS
@@ -19,6 +18,7 @@ READS = {"devices", "show", "decode", "audit"}
 
 def called(calls: list[tuple[str, dict[str, Any]]], *options: str) -> tuple[set[str], list[tuple[bool, str]]]:
     """The tools that a server has, and for each call whether it is an error, and its text."""
+    from mcp import ClientSession, StdioServerParameters, stdio_client  # which takes long to load
 
     async def work() -> tuple[set[str], list[tuple[bool, str]]]:
         command = ["-m", "fieldspec", "mcp", "--specs", SPECS, *options]

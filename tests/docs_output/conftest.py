@@ -21,12 +21,17 @@ FLAGS = (
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
+    "--disable-extensions",
+    "--disable-component-extensions-with-background-pages",
+    # One process for all pages, which are files of one folder, and none in reserve for the next page.
+    "--disable-features=SpareRendererForSitePerProcess,BackForwardCache,ProactivelySwapBrowsingInstance,"
+    "IsolateOrigins,site-per-process",
     "--window-size=1400,1000",
 )
 
 
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chrome]:
+@pytest.fixture(scope="session")
+def only_browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chrome]:
     options = webdriver.ChromeOptions()
     options.binary_location = require_tool("chromium")
     for flag in (*FLAGS, f"--user-data-dir={tmp_path_factory.mktemp('profile')}"):
@@ -34,8 +39,16 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chro
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     with webdriver.Chrome(options=options, service=Service(require_tool("chromedriver"))) as driver:
         driver.set_script_timeout(240)  # axe takes long on a busy machine
-        driver.get("about:blank")
         yield driver
+
+
+@pytest.fixture(scope="module")
+def browser(only_browser: webdriver.Chrome) -> webdriver.Chrome:
+    """The browser with nothing left of another module."""
+    only_browser.get("about:blank")
+    for kind in ("browser", "performance"):
+        only_browser.get_log(kind)
+    return only_browser
 
 
 @pytest.fixture(scope="session")

@@ -121,7 +121,7 @@ def test_results_are_there_before_anybody_notices(
 
 
 def test_exact_numbers_stand_before_beginnings_words_and_texts(browser: webdriver.Chrome, folder: Path) -> None:
-    page = (folder / "tc100/2.0.html").as_uri()
+    page = (folder / "widget/2.0.html").as_uri()
     browser.get(page)
     script = """
         fieldspecSearch.add({
@@ -138,7 +138,7 @@ def test_exact_numbers_stand_before_beginnings_words_and_texts(browser: webdrive
 
 
 def test_arrows_and_enter_lead_to_a_fact_and_escape_ends_the_search(browser: webdriver.Chrome, folder: Path) -> None:
-    search(browser, folder / "tc100/2.0.html", "motion")
+    search(browser, folder / "servo/1.html", "limit")
     wanted = links(browser)
     browser.switch_to.active_element.send_keys(Keys.ARROW_DOWN)
     browser.switch_to.active_element.send_keys(Keys.ARROW_DOWN)
@@ -148,16 +148,18 @@ def test_arrows_and_enter_lead_to_a_fact_and_escape_ends_the_search(browser: web
     assert browser.current_url.endswith(wanted[0])
     WebDriverWait(browser, 5).until(lambda _: browser.switch_to.active_element.get_attribute("id") == wanted[0][1:])
     assert links(browser) == []
-    search_again(browser, "motion")
+    search_again(browser, "limit")
     browser.switch_to.active_element.send_keys(Keys.ESCAPE)
     assert links(browser) == []
     assert browser.switch_to.active_element.get_attribute("value") == ""
 
 
 def test_enter_in_the_box_opens_the_first_result(browser: webdriver.Chrome, folder: Path) -> None:
-    search(browser, folder / "index.html", "0x7E6")
+    search(browser, folder / "index.html", "compliance_margins")
     browser.switch_to.active_element.send_keys(Keys.ENTER)
-    WebDriverWait(browser, 10).until(lambda _: browser.current_url.endswith("ck10/1.html#registers/push_mode"))
+    WebDriverWait(browser, 10).until(
+        lambda _: browser.current_url.endswith("servo/1.html#registers/compliance_margins")
+    )
 
 
 def test_a_fact_of_another_version_leads_to_that(browser: webdriver.Chrome, folder: Path) -> None:
@@ -169,9 +171,9 @@ def test_a_fact_of_another_version_leads_to_that(browser: webdriver.Chrome, fold
 
 def test_a_link_to_a_fact_that_is_gone_searches_for_it(browser: webdriver.Chrome, folder: Path) -> None:
     browser.get("about:blank")
-    browser.get((folder / "tc100/2.0.html").as_uri() + "#registers/gone/motion_command")
+    browser.get((folder / "servo/1.html").as_uri() + "#registers/gone/max_torque")
     WebDriverWait(browser, 10).until(lambda _: links(browser))
-    assert links(browser)[0] == "#registers/motion_command"
+    assert links(browser)[0] == "#registers/max_torque"
 
 
 def test_labels_stay_texts(browser: webdriver.Chrome, folder: Path) -> None:
@@ -191,7 +193,7 @@ def test_no_request_leaves_the_folder(browser: webdriver.Chrome, folder: Path) -
 
 
 def test_pages_forbid_themselves_what_they_do_not_need(browser: webdriver.Chrome, folder: Path) -> None:
-    browser.get((folder / "widget/2.0.html").as_uri())
+    browser.get((folder / "gadget/1.html").as_uri())
     script = "document.body.append(Object.assign(document.createElement('script'), {textContent: 'window.ran = 1'}))"
     browser.execute_script(script)
     assert browser.execute_script("return window.ran") is None
@@ -201,7 +203,7 @@ def test_pages_forbid_themselves_what_they_do_not_need(browser: webdriver.Chrome
 def test_the_box_is_hidden_without_scripts(browser: webdriver.Chrome, folder: Path) -> None:
     browser.execute_cdp_cmd("Emulation.setScriptExecutionDisabled", {"value": True})
     try:
-        browser.get((folder / "widget/2.0.html").as_uri())
+        browser.get((folder / "gadget/1.html").as_uri())
         assert not browser.find_element(By.ID, "query").is_displayed()
         assert browser.find_element(By.TAG_NAME, "main").is_displayed()
     finally:

@@ -47,16 +47,16 @@ def registers(browser: webdriver.Chrome, section: str) -> list[str]:
 def test_a_column_sorts_up_and_down_and_back_with_elements_below_their_register(
     browser: webdriver.Chrome, folder: Path
 ) -> None:
-    section = opened(browser, folder / "tc100/2.0.html", "registers/motion")
-    before = registers(browser, "registers/motion")
+    section = opened(browser, folder / "servo/1.html", "registers/settings")
+    before = registers(browser, "registers/settings")
     (heading,) = [cell for cell in section.find_elements(By.CSS_SELECTOR, "thead th") if cell.text == "Name"]
     heading.find_element(By.TAG_NAME, "button").click()
-    assert registers(browser, "registers/motion") == sorted(before)
+    assert registers(browser, "registers/settings") == sorted(before)
     assert heading.get_attribute("aria-sort") == "ascending"
     heading.find_element(By.TAG_NAME, "button").click()
-    assert registers(browser, "registers/motion") == sorted(before, reverse=True)
+    assert registers(browser, "registers/settings") == sorted(before, reverse=True)
     heading.find_element(By.TAG_NAME, "button").click()
-    assert registers(browser, "registers/motion") == before
+    assert registers(browser, "registers/settings") == before
     assert heading.get_attribute("aria-sort") is None
 
 
@@ -72,18 +72,18 @@ def test_numbers_sort_as_numbers(browser: webdriver.Chrome, folder: Path) -> Non
 
 
 def test_rows_are_filtered_by_words_and_by_access(browser: webdriver.Chrome, folder: Path) -> None:
-    section = opened(browser, folder / "tc100/2.0.html", "registers/motion")
-    everything, count = rows(browser, "registers/motion"), len(registers(browser, "registers/motion"))
-    section.find_element(By.CSS_SELECTOR, ".tools input").send_keys("TORQUE search")
-    assert set(rows(browser, "registers/motion")) < set(everything)
-    assert "torque_search_direction" in rows(browser, "registers/motion")
+    section = opened(browser, folder / "servo/1.html", "registers/settings")
+    everything, count = rows(browser, "registers/settings"), len(registers(browser, "registers/settings"))
+    section.find_element(By.CSS_SELECTOR, ".tools input").send_keys("ANGLE counter")
+    assert set(rows(browser, "registers/settings")) < set(everything)
+    assert "counterclockwise_angle_limit" in rows(browser, "registers/settings")
     assert section.find_element(By.CSS_SELECTOR, ".tools [role=status]").text.endswith(f"of {count} rows")
-    browser.execute_script("location.hash = '#registers/motion_command'; location.hash = '#registers/servo'")
-    WebDriverWait(browser, 5).until(lambda _: rows(browser, "registers/motion") == everything)
+    browser.execute_script("location.hash = '#registers/goals'; location.hash = '#registers/id'")
+    WebDriverWait(browser, 5).until(lambda _: rows(browser, "registers/settings") == everything)
     access = Select(section.find_element(By.CSS_SELECTOR, ".tools select"))
     choice = access.options[1].text
     access.select_by_visible_text(choice)
-    assert set(rows(browser, "registers/motion")) < set(everything)
+    assert set(rows(browser, "registers/settings")) < set(everything)
 
 
 def test_rows_are_offered_as_csv_where_the_clipboard_is_forbidden(browser: webdriver.Chrome, folder: Path) -> None:
@@ -101,7 +101,7 @@ def test_rows_are_offered_as_csv_where_the_clipboard_is_forbidden(browser: webdr
 
 
 def test_nothing_is_cut_off_on_paper(browser: webdriver.Chrome, folder: Path) -> None:
-    opened(browser, folder / "tc100/2.0.html", "registers/motion")
+    opened(browser, folder / "servo/1.html", "registers/settings")
     browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     try:
         script = "return [...document.querySelectorAll('.scroll')].map(block => getComputedStyle(block).overflowX)"

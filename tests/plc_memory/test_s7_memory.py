@@ -29,6 +29,7 @@ from fieldspec.foundation.names import Name, stem
 from fieldspec.language.model.encoding import struct_letter
 from fieldspec.targets.scl.backend import files
 from layouts import SPECS, layouts
+from shared_results import shared
 
 TRIES = 3
 
@@ -43,7 +44,7 @@ def text(layout: DeviceLayout, kind: str) -> str:
 
 @cache
 def built_sources(device: str) -> dict[str, Any]:
-    return dict(files(layouts(SPECS)[device]))
+    return shared(f"scl_{device}", lambda: dict(files(layouts(SPECS)[device])))
 
 
 def name_of(layout: DeviceLayout, key: str) -> str:

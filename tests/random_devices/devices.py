@@ -76,7 +76,7 @@ def devices(draw: Any) -> Spec:
     return {section: spec[section] for section in SECTIONS if spec.get(section)}
 
 
-class _Dumper(yaml.SafeDumper):
+class _Dumper(yaml.CSafeDumper if yaml.__with_libyaml__ else yaml.SafeDumper):
     def ignore_aliases(self, data: Any) -> bool:
         return True
 
