@@ -67,10 +67,10 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
         )
         yield finding(_CODE, field.place, "record", text, help, label(untold.place, "name", "has no fixed size"))
     for other in layer.fields:
-        measures = other.stated_measure
+        measures = other.measures
         if measures is None or measures.field != field.name or measures.of != "bytes":
             continue
-        is_number = measures.bits is None and other.value is not None and other.value.ranges is None
+        is_number = other.value is not None and other.value.ranges is None
         if not is_number or list_count(layer, field) is not other:
             text = f"{other.name} counts the bytes of {field.name}, whose elements differ in size"
             text += ", and is not the first to count it as a binary `u8` or `u16` without a `range`"
