@@ -14,12 +14,14 @@ import pytest
 
 from external_tools import require_tool
 from fieldspec.cli import main
+from fieldspec.codec.layout.device import device_layout
 from fieldspec.codec.layout.omissions import expressed
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.codec.reference import codec
 from fieldspec.command.pipeline import merged_refusals, refusals
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic, has_errors
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.reading.project import read
 from fieldspec.targets import OUTPUTS
 from fieldspec.targets.controllers.dialects import DIALECTS
 from fieldspec.targets.controllers.omissions import for_dialect
@@ -328,3 +330,18 @@ def test_devices_without_such_facts_lose_nothing() -> None:
         assert refusals(versions, OUTPUTS) == []
         layout = versions[-1]
         assert for_dialect(layout, DIALECTS["st"]).layout is layout
+
+
+ANCHORED = f"""
+device: {{id: chance, name: N, vendor: V, manual: {{title: T, file: t.txt, sha256: "{"0" * 64}", lines: 9}}}}
+links:
+  - {{name: line, source: 1 L1, byte_order: big, frame: [{{name: c, role: code, type: u8}}, {{name: b, role: body}}]}}
+messages:
+  - {{name: call, code: 1, source: 1 L2, request: &a [{{name: t, type: text, length: 9, varies: true}}], response: *a}}
+"""
+
+
+def test_what_both_directions_share_is_left_out_once() -> None:
+    device = read({"chance/device.yaml": ANCHORED.encode()}).devices["chance"]
+    findings = OUTPUTS["queries"].refusals([device_layout(device.at("1")[0])])
+    assert [finding.help for finding in findings] == ["message call is left out"]

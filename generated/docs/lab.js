@@ -688,13 +688,29 @@ function fits(presence, number, elements) {
 
 const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.clz32(mask & -mask)}..${31 - Math.clz32(mask)}`;
 
-function countedBytes({ at, length, little, unit, plus = 0, most, element, presence }, bytes) {
+function countedBytes(list, bytes) {
+  const { length, unit, plus = 0, most, element, presence } = list;
   if (!length) return most;
-  let number = 0;
-  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+  let number = listNumber(list, bytes);
   if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
   if (presence) number = decidingBits(presence, number);
   return (number - plus) * unit;
+}
+
+function listNumber({ at, length, little }, bytes) {
+  let number = 0;
+  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+  return number;
+}
+
+function measuredBytes(list, bytes) {
+  const size = listNumber(list, bytes) - list.sentPlus;
+  return size >= 0 && size <= list.most ? size : undefined;
+}
+
+function setListNumber({ name, at, length, little }, bytes, number) {
+  if (number < 0 || number >= 256 ** length) throw new CodecError("out_of_range", `${name} has more bytes than a field can count`);
+  for (let place = 0; place < length; place++) bytes[at + (little ? place : length - 1 - place)] = number / 256 ** place & 255;
 }
 
 function decidedBytes({ at, length, little, sizes }, bytes) {
@@ -752,10 +768,12 @@ function elementIn(parts, bytes) {
     const at = list.first + before;
     if (bytes.length < at) break;
     fields.push(...bytes.subarray(fields.length + before, at));
-    const size = sizeIn(list, fields);
+    const size = list.sentPlus === undefined ? sizeIn(list, fields) : measuredBytes(list, fields);
     if (size === undefined) return { fault: numberFault(parts, extents, list) };
     const elements = list.decision ? [size] : [];
-    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements };
+    const extent = list.sentPlus !== undefined && at + size <= bytes.length
+      ? measuredIn(parts, list, bytes.subarray(at, at + size), at, extents)
+      : list.parts && list.sentPlus === undefined ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements };
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
@@ -794,21 +812,33 @@ function elementsIn(list, data, size, start) {
   return { size: at, elements };
 }
 
+function measuredIn(inner, list, data, start, extents) {
+  const extent = elementsIn(list, data, null, start);
+  const { reason } = extent.fault ?? {};
+  return reason === "incomplete" || reason === "wrong_length" ? { fault: numberFault(inner, extents, list) } : extent;
+}
+
 function extentsIn({ fixed, lists }, data) {
   const extents = [];
   const image = [];
   let before = 0;
   for (const list of lists) {
     const at = list.first + before;
-    const left = data.length - at - fixed + list.first;
+    let left = data.length - at - fixed + list.first;
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
-    const counted = isLast && !list.decision ? null : sizeIn(list, image);
+    let counted = isLast && !list.decision ? null : sizeIn(list, image);
+    if (list.sentPlus !== undefined) {
+      const sent = measuredBytes(list, image);
+      counted = isLast && sent !== left ? undefined : sent;
+      if (counted > left) return { extents, fault: { reason: "incomplete", at: data.length } };
+      if (counted !== undefined) [left, counted] = [counted, null];
+    }
     if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
-    const extent = list.parts
-      ? elementsIn(list, data.subarray(at, at + left), counted, at)
-      : { size: counted === null ? left : sentListBytes(list, counted), elements: list.decision ? [counted] : [] };
+    const extent = list.sentPlus !== undefined
+      ? measuredIn({ fixed, lists }, list, data.subarray(at, at + left), at, extents)
+      : list.parts ? elementsIn(list, data.subarray(at, at + left), counted, at) : { size: counted === null ? left : sentListBytes(list, counted), elements: list.decision ? [counted] : [] };
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
     if (list.packing) {
@@ -860,6 +890,9 @@ function imageOf({ fixed, lists }, data, extents) {
     at = list.first;
   }
   image.set(data.subarray(at + before, fixed + before), at);
+  for (const [number, list] of lists.entries()) {
+    if (list.sentPlus !== undefined) setListNumber(list, image, extents[number].elements.length);
+  }
   return image;
 }
 
@@ -880,21 +913,30 @@ function readAround(inner, read, bytes, offset, end) {
 }
 
 function sentOfImage({ fixed, lists }, image, last) {
-  const pieces = [];
-  let at = 0;
-  for (const list of lists) {
-    const { first, room, element, parts } = list;
+  const fields = image.slice(0, fixed);
+  const lengths = lists.map((list) => {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
-    const size = decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
-    pieces.push(...image.subarray(at, first));
-    if (list.packing) pieces.push(...packedList(list, image.subarray(room, room + size)));
-    else for (let from = room; from < room + size; from += parts ? element : size) {
-      const own = parts ? elementBytes(parts, image.subarray(from, from + element)) : size;
-      pieces.push(...image.subarray(from, from + own));
-    }
-    at = first;
+    return decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
+  });
+  const pieces = lists.map((list, index) => sentOfList(list, image.subarray(list.room, list.room + lengths[index])));
+  for (const [index, list] of lists.entries()) {
+    if (list.sentPlus !== undefined) setListNumber(list, fields, pieces[index].length + list.sentPlus);
   }
-  return Uint8Array.from([...pieces, ...image.subarray(at, fixed)]);
+  const ends = [...lists.map(({ first }) => first), fixed];
+  const sent = ends.flatMap((end, index) => [...fields.subarray(ends[index - 1] ?? 0, end), ...(pieces[index] ?? [])]);
+  return Uint8Array.from(sent);
+}
+
+function sentOfList(list, image) {
+  const { element, parts, packing } = list;
+  if (packing) return [...packedList(list, image)];
+  if (!parts) return [...image];
+  const sent = [];
+  for (let from = 0; from < image.length; from += element) {
+    const own = image.subarray(from, from + element);
+    sent.push(...own.subarray(0, elementBytes(parts, own)));
+  }
+  return sent;
 }
 
 function elementsLength(items, codec) {
@@ -1185,6 +1227,7 @@ const SENTENCES = {
  "WITHOUT_END": "{name} has no end",
  "FEWER_FOLLOW": "{name} has {count} bytes, but only {rest} follow",
  "WRONG_SIZE": "{count} is not a number of bytes of {name}",
+ "SIZE_OF_LIST": "the bytes of {name}",
  "NUMBER_IF_SENT": "a number with which {name} is sent",
  "NUMBER_IF_ABSENT": "a number with which {name} is not sent",
  "PERCENTAGE": "{percent} % of {references}",
@@ -2579,10 +2622,10 @@ class ExplainedBody {
       low = Math.max(0, high - 7);
     } else if (text) {
       [low, high] = [plus, text.most + plus];
-    } else if (inner && other.repeat) {
+    } else if (inner && (other.repeat || countsSent(inner, field, name))) {
       const number = inner.lists.findIndex((list) => list.name === name);
       if (number >= this.extents.length) return this.wrongCount(inner.lists[number], field, read);
-      low = high = numberOf(this.itemsOf(other));
+      low = high = countsSent(inner, field, name) ? this.extents[number].size + plus : numberOf(this.itemsOf(other));
     } else {
       const most = spans ? this.countOf(other) : this.itemsAtEnd(other);
       low = high = numberOf(other.isList ? most : 1);
@@ -2612,10 +2655,11 @@ class ExplainedBody {
   }
 
   wrongCount(list, field, read) {
-    const { countName, least, most, unit, plus = 0, presence } = list;
+    const { countName, least, most, unit, plus = 0, presence, sentPlus } = list;
     if (countName !== field.name || !this.hasWrongCount(list)) return read;
     const [low, high] = [least, most].map((size) => Math.floor(size / unit) + plus);
-    const expected = sentence(SENTENCES.BOUNDS, { low, high });
+    const bounds = sentence(SENTENCES.BOUNDS, { low, high });
+    const expected = sentPlus === undefined ? bounds : sentence(SENTENCES.SIZE_OF_LIST, list);
     return judged(read, false, presence ? bitsText(presence, expected) : expected, "wrong_measure");
   }
 
@@ -2623,6 +2667,11 @@ class ExplainedBody {
     const should = field.sameAs ? this.asked.get(field.sameAs) : undefined;
     return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float" ? field.value.size : 0);
   }
+}
+
+function countsSent({ lists }, field, name) {
+  const list = lists.find((own) => own.name === name);
+  return list?.sentPlus !== undefined && list.countName === field.name;
 }
 
 function explained(device, link, direction, frame, message = "", request = null) {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from random_devices.draft import BOUNDS, Draft, EnumDraft, RecordDraft, Spec
 from random_devices.drawn_presences import list_counter, presence_decider
-from random_devices.drawn_values import size_of, value, varying_text, varying_value
+from random_devices.drawn_values import packed_list, size_of, value, varying_text, varying_value
 
 
 def records(draft: Draft) -> list[Spec]:
@@ -30,14 +30,16 @@ def _differing_record(draft: Draft) -> Spec:
                 fields = _optional_between(draft, fields)
                 continue
             if draft.differing and draft.chance(30):
-                fields = [*fields, _differing(draft), *_behind(draft)]
+                inner = _differing(draft)
+                fields = _inserted(draft, fields, _byte_counter(draft, inner)) if draft.chance(30) else fields
+                fields = [*fields, inner, *_behind(draft)]
                 continue
             if draft.chance(30):
                 fields = [*fields, packed_list(draft, {"count": draft.number(1, 9)}), *_behind(draft)]
                 continue
             inner = draft.differing and draft.chance(25)
             repeated = _differing(draft, "0..2") if inner else _repeated(draft, fields, low_limits=True)
-            measure = list_counter(draft, repeated, _measure(draft, repeated), ("u8", "u16"))
+            measure = _counter(draft, repeated, ("u8", "u16"))
             fields = [*_inserted(draft, fields, measure), repeated, *_behind(draft)]
     record["fields"] = fields
     draw_separator(draft, record, fields)
@@ -245,27 +247,24 @@ def _repeated(draft: Draft, fields: list[Spec], low_limits: bool = False) -> Spe
     return draft.fact(**keys, **limits)
 
 
-def packed_list(draft: Draft, limits: Spec, least: int = 1) -> Spec:
-    """A list of numbers of at least so many bits that follow each other without filling bytes."""
-    size = draft.pick([own for own in (8, 16, 24, 32) if own > least])
-    bits = draft.number(least, size - 1)
-    letter = draft.pick("ui")
-    low, high = (0, (1 << bits) - 1) if letter == "u" else (-(1 << bits - 1), (1 << bits - 1) - 1)
-    keys: Spec = {"type": f"{letter}{size}", "packed_bits": bits, **limits}
-    if draft.chance(50):
-        keys["byte_order"] = draft.pick(("big", "little"))
-    if draft.chance(30):
-        keys["range"] = f"{draft.number(low, high)}..{high}"
-    if draft.chance(20):
-        keys |= {"scale": draft.pick((0.1, 0.5, 2)), "unit": "V"}
-    return draft.fact(**keys)
-
-
 def _measured(draft: Draft, fields: list[Spec]) -> list[Spec]:
     """A number of elements or bytes somewhere before the repeat that it counts."""
     repeated = _repeated(draft, fields)
-    measure = list_counter(draft, repeated, _measure(draft, repeated), ("u16", "u8", "u32"))
+    measure = _counter(draft, repeated, ("u16", "u8", "u32"))
     return [*_inserted(draft, fields, measure), repeated]
+
+
+def _counter(draft: Draft, repeated: Spec, kinds: tuple[str, ...]) -> Spec:
+    """The number of a list before it; of elements that differ in size, now and then that of their bytes."""
+    if repeated.get("record") in draft.differing and draft.chance(50):
+        return _byte_counter(draft, repeated)
+    return list_counter(draft, repeated, _measure(draft, repeated), kinds)
+
+
+def _byte_counter(draft: Draft, differing: Spec) -> Spec:
+    """The number of bytes of a record that differs in size, or of all elements of a list of such records."""
+    plus = {"plus": draft.pick((1, 2, 5))} if draft.chance(25) else {}
+    return draft.fact(type=draft.pick(("u8", "u16")), measures={"bytes": differing["name"], **plus})
 
 
 def _measure(draft: Draft, field: Spec) -> Spec:
@@ -370,7 +369,7 @@ def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
     """A last field whose type an enum decides, or one with others behind it."""
     if draft.chance(40):
         repeated = _repeated(draft, fields)
-        lists = [draft.fact(type="u8", measures=_measure(draft, repeated)), repeated] if draft.chance(30) else []
+        lists = [_counter(draft, repeated, ("u8",)), repeated] if draft.chance(30) else []
         return _choice_between(draft, [*fields, *lists])
     decided = _deciding(draft)
     if decided is None:

@@ -78,6 +78,7 @@ class InnerList:
     the size of an element where elements differ in size, and a `decision` that of the only element; these have `size`
     bytes in the image. With a `packing`, numbers are sent in fewer bits. With a `presence`, a mask and numbers, the
     only element is sent if these bits of the number are one of the numbers; without numbers, these bits are the count.
+    With a `sent_plus`, what is sent is the number of the sent bytes and this number more.
     """
 
     __slots__ = (
@@ -92,6 +93,7 @@ class InnerList:
         "plus",
         "presence",
         "room",
+        "sent_plus",
         "size",
         "sizes",
         "unit",
@@ -109,12 +111,14 @@ class InnerList:
         decision: Decision | None = None,
         packing: Packing | None = None,
         presence: tuple[int, tuple[int, ...]] | None = None,
+        sent_plus: int | None = None,
     ) -> None:
         self.letters, self.size, self.first, self.room = letters, size, first, room
         self.sizes = range(bounds[0] * size, bounds[1] * size + 1, size)
         self.at, self.length, _, self.unit, self.plus = count
         self.order: Literal["big", "little"] = count[2]
         self.parts, self.decision, self.packing, self.presence = parts, decision, packing, presence
+        self.sent_plus = sent_plus
 
     @property
     def number_at(self) -> int:
@@ -140,6 +144,19 @@ class InnerList:
             limits = f"{self.sizes[0]} to {self.sizes[-1]} bytes in steps of {self.size}"
             raise CodecError("wrong_measure", f"a list has {size} bytes, not {limits}", at)
         return size
+
+    def measured_bytes(self, data: bytes, plus: int, at: int) -> int:
+        """The sent bytes that a number in some data counts, refused at the number if it is not possible."""
+        size = int.from_bytes(data[self.at : self.at + self.length], self.order) - plus
+        if not 0 <= size <= self.sizes[-1]:
+            raise CodecError("wrong_measure", f"a list has {size} bytes, not 0 to {self.sizes[-1]}", at)
+        return size
+
+    def with_number(self, data: bytes, number: int) -> bytes:
+        """Some bytes with another number in the field that counts the list."""
+        if number >> 8 * self.length:
+            raise CodecError("out_of_range", f"a field of {self.length} bytes cannot be {number}")
+        return data[: self.at] + number.to_bytes(self.length, self.order) + data[self.at + self.length :]
 
     def sent_size(self, size: int) -> int:
         """The bytes that are sent for `size` bytes of the image, of elements that do not differ in size."""
@@ -170,6 +187,15 @@ class InnerList:
             raise CodecError("incomplete", f"a list has {len(sizes)} elements", start + at)
         return sizes
 
+    def measured_elements(self, parts: Parts, data: bytes, start: int, at: int) -> list[int]:
+        """The bytes of each element in data that a number at `at` counts, which is wrong if they end otherwise."""
+        try:
+            return self.elements(parts, data, None, start)
+        except CodecError as error:
+            if error.reason not in ("incomplete", "wrong_length"):
+                raise
+            raise CodecError("wrong_measure", f"{len(data)} bytes do not end with an element of a list", at) from None
+
     def sent(self, image: bytes) -> bytes:
         """The sent bytes of a list whose bytes in the image are these."""
         if self.packing is not None:
@@ -198,10 +224,15 @@ class Parts:
                 break
             fields += data[len(fields) + before : start]
             at = inner.number_at + sum([taken for first, taken in extents if first <= inner.number_at])
-            size = inner.checked_size(fields, at) if inner.decision is None else inner.decision.size(fields, at)
+            if inner.sent_plus is not None:
+                size = inner.measured_bytes(fields, inner.sent_plus, at)
+            else:
+                size = inner.checked_size(fields, at) if inner.decision is None else inner.decision.size(fields, at)
             taken = inner.sent_size(size)
-            if inner.parts is not None:
+            if inner.parts is not None and inner.sent_plus is None:
                 taken = sum(inner.elements(inner.parts, data[start:], size, start))
+            elif inner.parts is not None and start + size <= len(data):
+                inner.measured_elements(inner.parts, data[start : start + size], start, at)
             extents.append((inner.first, taken))
             before += taken
         return self.fixed + before
@@ -244,9 +275,15 @@ class InnerLists(dict[tuple[int, ...], Struct]):
                 size = inner.decision.size(fields, self._place(extents, inner.number_at) or 0)
                 if is_last and size < left:
                     raise CodecError("wrong_length", f"{self.name} has more than its {at + size} bytes", at + size)
+            elif inner.sent_plus is not None:
+                left, size = self._measured(inner, inner.sent_plus, fields, left, extents, data), None
             else:
                 size = None if is_last else inner.checked_size(fields, self._place(extents, inner.number_at) or 0)
-            if inner.parts is not None:
+            if inner.parts is not None and inner.sent_plus is not None:
+                number_at = self._place(extents, inner.number_at) or 0
+                sizes = inner.measured_elements(inner.parts, data[at : at + left], at, number_at)
+                numbers.append(len(sizes))
+            elif inner.parts is not None:
                 sizes = inner.elements(inner.parts, data[at : at + left], size, at)
                 numbers.append(len(sizes))
             else:
@@ -265,6 +302,8 @@ class InnerLists(dict[tuple[int, ...], Struct]):
                 lists += piece.ljust(inner.size, b"\0") if is_filled else piece
                 before += own
         image = fields + data[len(fields) + before :] + lists
+        for inner, number in zip(self.lists, numbers, strict=True):
+            image = image if inner.sent_plus is None else inner.with_number(image, number)
         try:
             return function(image, tuple(numbers))
         except CodecError as error:
@@ -272,13 +311,19 @@ class InnerLists(dict[tuple[int, ...], Struct]):
 
     def encoded(self, image: bytes) -> bytes:
         """The sent form of an image."""
-        data, at, start = b"", 0, self.fixed
+        data, at, start, fields = b"", 0, self.fixed, image
+        pieces: list[bytes] = []
         for inner in self.lists:
             size = len(image) - start if inner is self.lists[-1] else inner.count_size(image)
             taken = size if inner.decision is None else inner.decision.size(image, 0)
-            data += image[at : inner.first] + inner.sent(image[start : start + taken])
-            at, start = inner.first, start + size
-        return data + image[at : self.fixed]
+            pieces.append(inner.sent(image[start : start + taken]))
+            if inner.sent_plus is not None:
+                fields = inner.with_number(fields, len(pieces[-1]) + inner.sent_plus)
+            start += size
+        for inner, piece in zip(self.lists, pieces, strict=True):
+            data += fields[at : inner.first] + piece
+            at = inner.first
+        return data + fields[at : self.fixed]
 
     def elements(self, number: int, images: Sequence[bytes]) -> list[bytes]:
         """The sent form of the images of a list's elements."""
@@ -299,6 +344,18 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             raise CodecError("wrong_length", f"a list of {self.name} has at most {most} bytes, not {size}", at + most)
         if size not in inner.sizes:
             raise CodecError("wrong_length", f"a list of {self.name} ends within an element", at + size)
+        return size
+
+    def _measured(
+        self, inner: InnerList, plus: int, fields: bytes, left: int, extents: list[list[int]], data: bytes
+    ) -> int:
+        """The bytes of a list that a number counts, of at most `left` bytes, or of all of them for the last list."""
+        at = self._place(extents, inner.number_at) or 0
+        size = inner.measured_bytes(fields, plus, at)
+        if inner is self.lists[-1] and size != left:
+            raise CodecError("wrong_measure", f"a list of {self.name} has {left} bytes, not {size}", at)
+        if size > left:
+            raise self._incomplete(len(data))
         return size
 
     def _incomplete(self, at: int) -> CodecError:

@@ -317,11 +317,12 @@ class Body:
             return read
         elif span is not None and span.value is not None:
             low, high = span.plus, span.value.width + span.plus
-        elif inner is not None and other.count is None:
+        elif inner is not None and (other.count is None or field.counts_sent):
             number = next(number for number, inner_list in enumerate(inner.lists) if inner_list.name == other.name)
             if number >= len(self.extents):
                 return self._wrong_count(inner.lists[number], field, read)
-            low = high = measure.number(self._items(other), other.size)
+            size = self.extents[number].size if field.counts_sent else self._items(other) * other.size
+            low = high = size + measure.plus if measure.of == "bytes" else measure.number(self._items(other), 1)
         else:
             items = self._items_at_end(other) if other.is_list else 1
             items = (other.count or 0) if self.record.spans else items
@@ -364,6 +365,8 @@ class Body:
             return read
         low, high = (size // inner.unit + inner.plus for size in (inner.least, inner.most))
         expected = sentences.BOUNDS.format(low=low, high=high)
+        if inner.sent_plus is not None:
+            expected = sentences.SIZE_OF_LIST.format(name=inner.name)
         expected = expected if inner.presence is None else inner.presence.bits_text(expected)
         return read.judged(False, expected, "wrong_measure")
 

@@ -48,7 +48,8 @@ class InnerList:
     `count` is empty where the number is always the same, and where the data end with the list and the fields
     after it. `parts` tell the size of an element from its bytes, a `decision` from a field before it; both are None
     where all have the same size. Elements with a `packing` are sent in fewer bits than they have in the image. With a
-    `presence`, bits of the number say whether the only element is sent, or have the count.
+    `presence`, bits of the number say whether the only element is sent, or have the count. With a `sent_plus`, the
+    number is that of elements only in the image: what is sent is the number of their sent bytes and this number more.
     """
 
     name: str
@@ -67,6 +68,7 @@ class InnerList:
     decision: Decision | None = None
     packing: Packing | None = None
     presence: PresenceLayout | None = None
+    sent_plus: int | None = None
 
     def size_of(self, number: int) -> int | None:
         """The bytes in the image if the count is a number, None if it may not be that number."""
@@ -85,6 +87,17 @@ class InnerList:
     def size_in(self, image: bytes) -> int | None:
         """The bytes in the image of a list that does not end with the data, None for a wrong count."""
         return self.size_of(self.count_in(image)) if self.count else self.most
+
+    def sent_bytes_in(self, data: bytes) -> int | None:
+        """The sent bytes that a number counts which is sent in place of the one in the image; None for a wrong one."""
+        size = self.count_in(data) - (self.sent_plus or 0)
+        return size if 0 <= size <= self.most else None
+
+    def with_number(self, image: bytes, number: int) -> bytes:
+        """An image or data with another number in the field that counts the list. Raises OverflowError."""
+        order: Literal["big", "little"] = "big" if self.count_order == "big" else "little"
+        stop = self.count_at + self.count_size
+        return image[: self.count_at] + number.to_bytes(self.count_size, order) + image[stop:]
 
     def sent_size(self, size: int) -> int:
         """The bytes that are sent for `size` bytes of the image, of elements that do not differ in size."""
@@ -147,6 +160,13 @@ class InnerLists:
         if inner.decision is not None:
             return self._decided(inner, inner.decision, image, len(data), extents)
         size = None
+        if inner.sent_plus is not None:
+            sent_size = inner.sent_bytes_in(image)
+            if sent_size is None or (inner is self.last and sent_size != len(data)):
+                return self._wrong_number(inner, extents)
+            if sent_size > len(data):
+                return ListFault("incomplete", start + len(data) + self.fixed - inner.first)
+            return self._measured(inner, data[:sent_size], extents)
         if inner is not self.last:
             size = inner.size_in(image)
             if size is None:
@@ -160,6 +180,13 @@ class InnerLists:
             return ListFault("incomplete", start + len(data) + self.fixed - inner.first)
         numbers = 0 if inner.packing is None else inner.packing.numbers_in(size or 0, inner.most // inner.element)
         return ListExtent(len(data) if size is None else size, numbers=numbers)
+
+    def _measured(self, inner: InnerList, data: bytes, extents: list[ListExtent]) -> ListExtent | ListFault:
+        """The elements of a list whose sent bytes, which are the data, a number counts: wrong if they end otherwise."""
+        assert inner.parts is not None
+        elements = _elements(inner, inner.parts, data, None, inner.first + sum(extent.size for extent in extents))
+        ends_otherwise = isinstance(elements, ListFault) and elements.reason in ("incomplete", "wrong_length")
+        return self._wrong_number(inner, extents) if ends_otherwise else elements
 
     def _decided(
         self, inner: InnerList, decision: Decision, image: bytes, left: int, extents: list[ListExtent]
@@ -185,16 +212,20 @@ class InnerLists:
                 break
             fields += data[len(fields) + before : start]
             size = inner.size_in(fields) if inner.decision is None else inner.decision.size_in(fields)
+            size = size if inner.sent_plus is None else inner.sent_bytes_in(fields)
             if size is None:
                 return self._wrong_number(inner, extents)
             extent = ListExtent(inner.sent_size(size), (size,) if inner.decision is not None else ())
-            if inner.parts is not None:
+            if inner.parts is not None and inner.sent_plus is None:
                 elements = _elements(inner, inner.parts, data[start:], size, start)
-                if isinstance(elements, ListFault):
-                    return elements
-                extent = elements
-            extents.append(extent)
-            before += extent.size
+            elif inner.sent_plus is not None and start + size <= len(data):
+                elements = self._measured(inner, data[start : start + size], extents)
+            else:
+                elements = extent
+            if isinstance(elements, ListFault):
+                return elements
+            extents.append(elements)
+            before += elements.size
         return self.fixed + before
 
     def _wrong_number(self, inner: InnerList, extents: list[ListExtent]) -> ListFault:
@@ -221,15 +252,24 @@ class InnerLists:
             lists += piece if inner is self.last else piece.ljust(inner.most, b"\0")
             before += extent.size
         stop = None if len(extents) == len(self.lists) else self.lists[len(extents)].first + before
-        return (fields + data[len(fields) + before : stop]).ljust(self.fixed, b"\0") + lists
+        image = (fields + data[len(fields) + before : stop]).ljust(self.fixed, b"\0") + lists
+        for inner, extent in zip(self.lists, extents, strict=False):
+            if inner.sent_plus is not None:
+                image = inner.with_number(image, len(extent.elements))
+        return image
 
     def data_of(self, image: bytes) -> bytes:
-        """The bytes that are sent for an image."""
-        data, offset = b"", 0
+        """The bytes that are sent for an image. Raises OverflowError if a field cannot count them."""
+        fields, pieces = image, []
         for inner in self.lists:
-            data += image[offset : inner.first] + self._sent_bytes(inner, image)
+            pieces.append(self._sent_bytes(inner, image))
+            if inner.sent_plus is not None:
+                fields = inner.with_number(fields, len(pieces[-1]) + inner.sent_plus)
+        data, offset = b"", 0
+        for inner, piece in zip(self.lists, pieces, strict=True):
+            data += fields[offset : inner.first] + piece
             offset = inner.first
-        return data + image[offset : self.fixed]
+        return data + fields[offset : self.fixed]
 
     def _sent_bytes(self, inner: InnerList, image: bytes) -> bytes:
         """The bytes that are sent for a list in an image."""
@@ -317,8 +357,10 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
     decision = {"decision": _decision_row(row.decision)} if row.decision is not None else {}
     packing = {"packing": packing_data(row.packing)} if row.packing is not None else {}
     presence = {"presence": presence_data(row.presence)} if row.presence is not None else {}
+    sent_plus = {"sentPlus": row.sent_plus} if row.sent_plus is not None else {}
     places = {"first": row.first, "room": row.room}
-    return {**names, **places, **bounds, **count, **plus, **is_little, **parts, **decision, **packing, **presence}
+    kinds = {**parts, **decision, **packing, **presence, **sent_plus}
+    return {**names, **places, **bounds, **count, **plus, **is_little, **kinds}
 
 
 def _decision_row(row: Decision) -> dict[str, Any]:

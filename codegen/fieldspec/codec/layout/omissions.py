@@ -55,6 +55,8 @@ def findings(refusals: Iterable[Refusal], absent: Absences) -> Iterator[Diagnost
             yield finding
             continue
         titles = [f"{kind} {name}" for kind, name, causes in absent.each() if any(c.finding is finding for c in causes)]
+        if not titles:
+            continue  # an equal one, of an anchor in both directions of a message, says it
         yield warning(finding, f"{', '.join(titles)} {'is' if len(titles) == 1 else 'are'} left out")
 
 

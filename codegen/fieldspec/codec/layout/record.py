@@ -14,7 +14,7 @@ from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.language.model.encoding import is_octets
 from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.raw_numbers import orders_of
-from fieldspec.language.model.record import Case, Field, Record, list_count, text_count
+from fieldspec.language.model.record import Case, Field, Measure, Record, list_count, text_count
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.value import Value
 
@@ -47,7 +47,7 @@ class FieldLayout:
     with the bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of
     equal sizes the number to write first; it is empty if all bytes are the value. For the bit count of a write
     request, `bits_of` is the list into whose bytes the bits are packed; it is empty for other fields. `presence`
-    says what decides whether it is sent, None where it always is.
+    says what decides whether it is sent, None where it always is. It `counts_sent` bytes of differing elements.
     """
 
     field: Field
@@ -65,6 +65,13 @@ class FieldLayout:
     forms: Mapping[int, FieldLayout] = classes.field(default_factory=dict)
     selector: FieldLayout | None = None
     presence: PresenceLayout | None = None
+    counts_sent: bool = False
+
+    @property
+    def measure(self) -> Measure | None:
+        """Its measure in an image, where elements that differ in size are counted in place of their bytes."""
+        own = self.field.measures
+        return replace(own, of="items", plus=0) if own is not None and self.counts_sent else own
 
     @property
     def carries_bytes(self) -> bool:
@@ -311,14 +318,14 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
         element = 1 if is_text else field.size
         low, high = (0, field.size) if is_text else field.bounds
         inner = InnerList(field.name, first, room, element, low * element, high * element, packing=field.packing)
-        if is_element or field is not last:
-            find_count = text_count if is_text else list_count
+        count = (text_count if is_text else list_count)(record.record, field.field)
+        if is_element or field is not last or (count is not None and by_name[count.name].counts_sent):
             if field.presence is not None:
                 decider = by_name[field.presence.by]
                 inner = replace(_with_number_at(inner, decider, places[decider.name]), presence=field.presence)
                 if field.has_count_in_bits:
                     inner = replace(inner, unit=element // field.presence.unit, plus=field.presence.plus)
-            elif (count := find_count(record.record, field.field)) is not None:
+            elif count is not None:
                 inner = _with_count(inner, by_name[count.name], places[count.name])
         if field.record is not None and field.record.size is None:
             inner = replace(inner, parts=inner_lists_of(field.record, is_element=True))
@@ -337,10 +344,11 @@ def _decision(field: FieldLayout, selector: FieldLayout, offset: int) -> Decisio
 
 def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
     """A list with the field that counts it, which is at an offset in the image."""
-    measures = count.field.measures
+    measures, own = count.field.measures, count.measure
     assert measures is not None
-    inner = _with_number_at(inner, count, offset)
-    return replace(inner, unit=measures.unit(inner.element), plus=measures.plus)
+    assert own is not None
+    inner = replace(_with_number_at(inner, count, offset), sent_plus=measures.plus if count.counts_sent else None)
+    return replace(inner, unit=own.unit(inner.element), plus=own.plus)
 
 
 def _with_number_at(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:

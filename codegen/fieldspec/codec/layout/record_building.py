@@ -107,7 +107,10 @@ def _fixed(
         field_layout = FieldLayout(
             field, field.name, offset, size, count, field.value, nested, order, swapped, cases, sizes
         )
-        field_layout = replace(field_layout, presence=presence_layout(record, field.name, size, enums))
+        measures = field.measures
+        counts_sent = measures is not None and measures.of == "bytes" and measures.field in differing
+        presence = presence_layout(record, field.name, size, enums)
+        field_layout = replace(field_layout, presence=presence, counts_sent=counts_sent)
         fields.append(_with_forms(field_layout, fields))
         offset += size * (field.repeat.high if field.repeat is not None else count or 1)
     if any(field.value is not None and field.value.width for field in fields):

@@ -97,6 +97,8 @@ def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, d
         raise CodecError(fault.reason, text, offset + fault.at)
     try:
         values = decoded(record.image, inner.image_of(data, extents), device)
+        pairs = zip(inner.lists, extents, strict=True)
+        values |= {own.count: extent.size + own.sent_plus for own, extent in pairs if own.sent_plus is not None}
         return {field.name: values[field.name] for field in record.sent_fields}
     except CodecError as error:
         place = None if error.offset is None else offset + inner.place_in_data(extents, error.offset)
@@ -225,7 +227,7 @@ def _check_bit_number(field: FieldLayout, values: Mapping[str, Any], offset: int
 
 def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any]) -> int | None:
     """The number that a field must have which measures another one."""
-    measure = field.field.measures
+    measure = field.measure
     other = record.named(measure.field) if measure is not None else None
     if measure is None or other is None:
         return None
@@ -248,12 +250,12 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
         record = chosen
     raw = _encoded_fields(record, values, device)
     data: bytes = record_struct(record.image).build(raw)
-    if record.inner_lists is not None:
-        return record.inner_lists.data_of(data)
-    if not record.spans:
-        return data
     try:
-        return data_of(record.spans, data)
+        if record.inner_lists is not None:
+            return record.inner_lists.data_of(data)
+        return data_of(record.spans, data) if record.spans else data
+    except OverflowError:
+        raise CodecError("out_of_range", f"{record.name} has more bytes than a field can count") from None
     except WidthError as error:
         raise CodecError(error.reason, f"{error.name} has the character that ends it") from None
 
@@ -286,10 +288,9 @@ def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device
     if not isinstance(value, list | tuple):
         raise CodecError("wrong_type", f"{field.name} is a list")
     repeat = field.field.repeat
-    if repeat is not None and len(value) not in repeat:
-        raise CodecError("wrong_length", f"{field.name} has {repeat.text()} elements, not {len(value)}")
-    if repeat is None and len(value) != field.count:
-        raise CodecError("wrong_length", f"{field.name} has {field.count} elements, not {len(value)}")
+    if len(value) != field.count if repeat is None else len(value) not in repeat:
+        expected = field.count if repeat is None else repeat.text()
+        raise CodecError("wrong_length", f"{field.name} has {expected} elements, not {len(value)}")
     return [_encode_element(field, item, device) for item in value]
 
 
@@ -311,8 +312,7 @@ def _encode_element(field: FieldLayout, value: Any, device: Device) -> Any:
     if field.record is not None:
         if field.record.size is None:
             return encoded(field.record, value, device).ljust(field.size, b"\0")
-        unknown = sorted(set(value) - {inner.name for inner in field.record.fields})
-        if unknown:
+        if unknown := sorted(set(value) - {inner.name for inner in field.record.fields}):
             raise CodecError("unknown_field", f"{field.record.name} has no field {unknown[0]}")
         return _encoded_fields(field.record, value, device)
     return encoded_value(field.name, field.value, value, device)

@@ -48,8 +48,8 @@ def _number_of(record: RecordLayout, field: FieldLayout) -> Callable[[Any], int]
     presence = field.presence
     if presence is not None:
         return lambda context: presence.elements(context[presence.by]) or 0
-    measure = next(m for other in record.fields if (m := other.field.measures) is not None and m.field == field.name)
-    name = next(other.name for other in record.fields if other.field.measures is measure)
+    pairs = ((other.name, other.measure) for other in record.fields)
+    name, measure = next((name, own) for name, own in pairs if own is not None and own.field == field.name)
     unit = field.size if measure.of == "bytes" else 1
     return lambda context: int(context[name] - measure.plus) // unit
 

@@ -1,7 +1,8 @@
 """A part or field that carries a length is wide enough for the longest frame.
 
 Why: a frame that is longer than its length field can express cannot exist. The printed number of elements is
-too high, or the type is too narrow.
+too high, or the type is too narrow. A field that counts the bytes of records of varying size only needs room for the
+shortest ones: encoders refuse longer data.
 
 Example: up to 16 points of 16 bytes in a packet whose length is one byte.
 
@@ -69,6 +70,8 @@ def _of_field(field: Field, measure: Measure, measured: Field, sizes: RecordSize
     if bounds is None:
         return
     minimum, maximum = (size + measure.plus for size in bounds)
+    if measure.of == "bytes" and measured.record and sizes.element(measured) is None:
+        maximum = minimum
     unit = "bytes" if measure.of == "bytes" else "elements"
     related_label = label(measured.place, "repeat" if "repeat" in measured.place else "name", "what it measures")
     plus = f" plus {measure.plus}" if measure.plus else ""

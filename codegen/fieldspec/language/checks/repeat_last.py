@@ -2,8 +2,8 @@
 after it, or by an earlier field that `measures` it. If data of varying size follows, or if the list is in a record
 within another record, the measuring field is an unsigned binary number of one or two bytes. A record of varying size
 can be part of messages and of other such records, once, `count` times or repeated, if an earlier field in it measures
-each of its lists and texts of varying width. The data of exception responses, and of messages that access registers,
-has lists only at its end.
+each of its lists and texts of varying width. A field that counts the bytes of such records is also such a number, and
+has no `range`. The data of exception responses, and of messages that access registers, has lists only at its end.
 
 Why: without a field that counts the elements, their number follows only from the end of the data. Records that differ
 in size can be separated only by counts within them.
@@ -67,9 +67,14 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
         )
         yield finding(_CODE, field.place, "record", text, help, label(untold.place, "name", "has no fixed size"))
     for other in layer.fields:
-        if other.measures is not None and other.measures.field == field.name and other.measures.of == "bytes":
+        measures = other.measures
+        if measures is None or measures.field != field.name or measures.of != "bytes":
+            continue
+        is_number = other.value is not None and other.value.ranges is None
+        if not is_number or list_count(layer, field) is not other:
             text = f"{other.name} counts the bytes of {field.name}, whose elements differ in size"
-            help = f"count the elements: `measures: {{items: {field.name}}}`"
+            text += ", and is not the first to count it as a binary `u8` or `u16` without a `range`"
+            help = f"state it so, or count the elements: `measures: {{items: {field.name}}}`"
             yield finding(_CODE, other.place, "measures", text, help)
 
 

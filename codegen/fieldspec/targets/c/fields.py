@@ -147,7 +147,7 @@ def element_size(record: RecordLayout, field: FieldLayout) -> Expression:
 
 def measured_size(record: RecordLayout, field: FieldLayout, struct: Expression) -> Expression:
     """`in->points_count * 4u`: the size, or the number of elements, of the field that another one measures."""
-    measure = field.field.stated_measure
+    measure = field.measure or field.field.bit_measure
     assert measure is not None
     other = record.named(measure.field)
     assert other is not None

@@ -87,7 +87,7 @@ def _table(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
 
 
 def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> str:
-    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, 0u, NULL, NULL, 0u, false, false}`: see the struct."""
+    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, 0u, NULL, NULL, 0u, false, false, false, 0L}`: see the struct."""
     numbers = (inner.first, inner.room, inner.element, inner.least, inner.most)
     is_optional = inner.presence is not None and bool(inner.presence.numbers)
     has_count = inner.count and not is_optional
@@ -105,7 +105,8 @@ def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> s
     if inner.packing is not None:
         is_low_first, is_signed = inner.packing.order == "little", inner.packing.number.sign.is_signed
         packing = f"{inner.packing.number.bits}u, {str(is_low_first).lower()}, {str(is_signed).lower()}"
-    return f"{{{places}, {inner.plus}L, {is_little}, {mask}u, {measure}, {decide}, {packing}}}"
+    byte_count = "false, 0L" if inner.sent_plus is None else f"true, {inner.sent_plus}L"
+    return f"{{{places}, {inner.plus}L, {is_little}, {mask}u, {measure}, {decide}, {packing}, {byte_count}}}"
 
 
 def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:

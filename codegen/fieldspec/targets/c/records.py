@@ -269,7 +269,7 @@ def _write_measure(naming: Naming, record: RecordLayout, field: FieldLayout, tar
 
 def _greatest_measure(record: RecordLayout, field: FieldLayout) -> int | None:
     """The greatest size or count that a field can have to hold, None where that differs from case to case."""
-    measure = field.field.measures
+    measure = field.measure
     assert measure is not None
     other = record.named(measure.field)
     assert other is not None
@@ -329,6 +329,8 @@ def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
         field, count = record.named(room.name), record.named(room.count)
         assert field is not None
         assert count is not None
+        if field.field.repeat is None:
+            continue
         number = decoded_selector(naming, count)
         if room.presence is not None and room.presence.numbers:
             items: Expression = Conditional(is_present(room.presence, number), unsigned(1), ZERO)

@@ -333,7 +333,7 @@ def _fixed_value(field: FieldLayout) -> Any:
 
 
 def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, Any]) -> int:
-    measure = field.field.measures
+    measure = field.measure
     assert measure is not None
     other = record.named(measure.field)
     assert other is not None

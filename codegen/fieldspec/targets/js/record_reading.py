@@ -182,7 +182,7 @@ def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> li
     packed = record.named(field.bits_of) if field.bits_of else None
     if packed is not None:
         return bit_count_check(field, names, f"(end - o - {packed.offset})", place("o", field.offset))
-    measure = field.field.measures
+    measure = field.measure
     other = record.named(measure.field) if measure is not None else None
     if measure is None or other is None:
         return []

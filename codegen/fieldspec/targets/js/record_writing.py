@@ -112,7 +112,7 @@ def _write_list(member: Member, names: Names) -> list[str]:
 def _write_implied(record: RecordLayout, member: Member, names: Names, keys: Mapping[str, str]) -> list[str]:
     """The statements that write a field that follows from others, or has a constant."""
     field, slot = member.field, slot_of(member.field, names)
-    measure = field.field.measures
+    measure = field.measure
     other = record.named(measure.field) if measure is not None else None
     if measure is not None and other is not None:
         unit = other.size if measure.of == "bytes" else 1

@@ -30,8 +30,9 @@ def _inner_list_row(inner: InnerList, letters: str = "") -> str:
     decision = f", decision={_decision(inner.decision)}" if inner.decision is not None else ""
     packing = f", packing={_packing(inner.packing)}" if inner.packing is not None else ""
     presence = f", presence={_presence(inner.presence)}" if inner.presence is not None else ""
-    places = f"{inner.first}, {inner.room}{count}"
-    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{parts}{decision}{packing}{presence})"
+    sent_plus = f", sent_plus={inner.sent_plus}" if inner.sent_plus is not None else ""
+    places, kinds = f"{inner.first}, {inner.room}{count}", f"{parts}{decision}{packing}{presence}{sent_plus}"
+    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{kinds})"
 
 
 def _presence(presence: PresenceLayout) -> str:

@@ -102,7 +102,7 @@ def column_letter(encoding: Encoding) -> str:
 
 def _tests(shaped: RecordShape, field: Slots) -> str:
     """The intervals outside of which `decode` refuses the field."""
-    measure = field.field.field.measures
+    measure = field.field.measure
     if measure is not None:
         other = next(candidate for candidate in shaped.fields if candidate.title == measure.field)
         size = measure.number(max(other.count, 1), other.field.size)

@@ -79,7 +79,7 @@ def writing_lines(
 
 def _size(shaped: RecordShape, field: Slots, expressions: dict[str, str], decided: str) -> str:
     """The value of a field that measures another one; `decided` is the size of an element with several types."""
-    measure = field.field.field.measures
+    measure = field.field.measure
     assert measure is not None
     other = next(candidate for candidate in shaped.fields if candidate.title == measure.field)
     return measured(field, other, expressions[other.title], decided)

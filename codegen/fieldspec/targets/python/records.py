@@ -283,7 +283,7 @@ def _measure_test(shaped: RecordShape, field: Slots, owner: str, offset: int) ->
     if field.field.bits_of:
         packed = next(other for other in shaped.fields if other.title == field.field.bits_of)
         return bit_count_test(field, f"{owner}.{field.name}", f"{owner}.{packed.name}", offset + field.field.offset)
-    measure = field.field.field.measures
+    measure = field.field.measure
     if measure is None:
         return []
     other = next(candidate for candidate in shaped.fields if candidate.title == measure.field)

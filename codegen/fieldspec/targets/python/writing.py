@@ -286,7 +286,7 @@ def text_form(value: Value, order: str) -> str:
 
 def measured(field: Slots, other: Slots, expression: str, decided: str) -> str:
     """The value of a field that measures another one; `decided` is the size of an element with several types."""
-    measure = field.field.field.measures
+    measure = field.field.measure
     assert measure is not None
     size = decided if other.decided else str(other.field.size)
     if not other.is_list and not other.decided:

@@ -140,13 +140,18 @@ class BodyReader:
         sizes = np.zeros(len(offsets), np.int64)
         inner = self.record.inner_lists
         assert inner is not None
-        ending = inner.lists[:-1] if self.record.fields[-1].count is None else inner.lists
+        is_open = self.record.fields[-1].count is None and inner.last.sent_plus is None
+        ending = inner.lists[:-1] if is_open else inner.lists
         rooms = {own.name: np.full(len(offsets), UNKNOWN) for own in ending}
         verdicts = {own.name: np.full(len(offsets), OK, np.int8) for own in inner.lists}
         for row, (first, length) in enumerate(zip(offsets.tolist(), size.tolist(), strict=True)):
             data = buffer[first : first + max(length, 0)].tobytes()
             list_extents, fault = inner.extents_in(data)
-            images.append(deepened(self.record.image, inner.image_of(data, list_extents)))
+            image = deepened(self.record.image, inner.image_of(data, list_extents))
+            for own, extent in zip(inner.lists, list_extents, strict=False):
+                if own.sent_plus is not None:
+                    image = own.with_number(image, extent.size + own.sent_plus)
+            images.append(image)
             sizes[row] = len(images[-1])
             for own, extent in zip(ending, list_extents, strict=False):
                 is_single = own.parts is not None or own.decision is not None
@@ -303,7 +308,7 @@ class BodyReader:
         if measure is None or other is None or other.cases or slot.path in self.counts_of_texts:
             return
         room = self.record.room_of(other)
-        if room is not None and room.count == slot.path:
+        if slot.layout.counts_sent or (room is not None and room.count == slot.path):
             blame(verdict, counts[other.name] == MISCOUNT, WRONG_MEASURE)
             return
         items = np.clip((size - other.offset) // max(other.size, 1), 0, counts[other.name])

@@ -30,8 +30,8 @@ class Slot:
 
 def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLayout | None = None) -> Iterator[Slot]:
     """The values of a record and of the records in it, in the order of the wire; a repeated field counts once."""
-    parts = inner_lists_of(record, is_element=True).lists if outer is not None and record.size is None else ()
-    by_name = {inner.name: inner for inner in parts}
+    is_differing = outer is not None and record.size is None
+    by_name = _numbered(inner_lists_of(record, is_element=True)) if is_differing else {}
     for field in record.sent_fields:
         is_list = field.is_list and not (outer is None and field.count is None)
         inner = by_name.get(field.name)
@@ -56,6 +56,19 @@ def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLa
                 yield slot
 
 
+def _numbered(parts: InnerLists) -> dict[str, InnerList]:
+    """The lists of an element by their names, each with the place of its number of elements.
+
+    Where sent bytes are counted, this number comes after all lists, in two bytes.
+    """
+    numbered = {inner.name: inner for inner in parts.lists}
+    end = parts.last.room + parts.last.most
+    in_bytes = (inner for inner in parts.lists if inner.sent_plus is not None)
+    for index, inner in enumerate(in_bytes):
+        numbered[inner.name] = replace(inner, count_at=end + 2 * index, count_size=2, count_order="big")
+    return numbered
+
+
 def _slots_of_cases(
     record: RecordLayout, field: FieldLayout, path: str, start: int, outer: FieldLayout | None
 ) -> Iterator[Slot]:
@@ -77,8 +90,9 @@ def with_deep_rooms(record: RecordLayout) -> RecordLayout:
         nested, size = field.record, field.size
         if nested is not None and nested.inner_lists is not None:
             nested = with_deep_rooms(nested)
-            last = inner_lists_of(nested, is_element=True).last
-            size = max(size, last.room + last.most)
+            parts = inner_lists_of(nested, is_element=True)
+            further = 2 * sum(inner.sent_plus is not None for inner in parts.lists)
+            size = max(size, parts.last.room + parts.last.most + further)
         forms = {number: replace(form, offset=offset) for number, form in field.forms.items()}
         fields.append(replace(field, record=nested, offset=offset, size=size, forms=forms))
         offset += size * field.bounds[1]
@@ -107,5 +121,11 @@ def _element_image(record: RecordLayout, parts: InnerLists, data: bytes) -> byte
         pairs = zip(record.spans, extents(record.spans, data), strict=True)
         return b"".join(data[extent.start : extent.stop].ljust(span.size, b"\0") for span, extent in pairs)
     list_extents, _ = parts.extents_in(data)
-    *rooms, _ = parts.lists
-    return deepened(replace(record, rooms=tuple(rooms)), parts.image_of(data, list_extents))
+    *rooms, last = parts.lists
+    image = deepened(replace(record, rooms=tuple(rooms)), parts.image_of(data, list_extents))
+    if any(inner.sent_plus is not None for inner in parts.lists):
+        image = image.ljust(last.room + last.most, b"\0")
+    for inner, extent in zip(parts.lists, list_extents, strict=False):
+        if inner.sent_plus is not None:
+            image = inner.with_number(image, extent.size + inner.sent_plus) + len(extent.elements).to_bytes(2, "big")
+    return image

@@ -233,10 +233,10 @@ export class ExplainedBody {
       low = Math.max(0, high - 7);
     } else if (text) {
       [low, high] = [plus, text.most + plus];
-    } else if (inner && other.repeat) {
+    } else if (inner && (other.repeat || countsSent(inner, field, name))) {
       const number = inner.lists.findIndex((list) => list.name === name);
       if (number >= this.extents.length) return this.wrongCount(inner.lists[number], field, read);
-      low = high = numberOf(this.itemsOf(other));
+      low = high = countsSent(inner, field, name) ? this.extents[number].size + plus : numberOf(this.itemsOf(other));
     } else {
       const most = spans ? this.countOf(other) : this.itemsAtEnd(other);
       low = high = numberOf(other.isList ? most : 1);
@@ -269,10 +269,11 @@ export class ExplainedBody {
 
   /** The value of a field, which is wrong if the bytes of the list are not known because of its number. */
   wrongCount(list, field, read) {
-    const { countName, least, most, unit, plus = 0, presence } = list;
+    const { countName, least, most, unit, plus = 0, presence, sentPlus } = list;
     if (countName !== field.name || !this.hasWrongCount(list)) return read;
     const [low, high] = [least, most].map((size) => Math.floor(size / unit) + plus);
-    const expected = sentence(SENTENCES.BOUNDS, { low, high });
+    const bounds = sentence(SENTENCES.BOUNDS, { low, high });
+    const expected = sentPlus === undefined ? bounds : sentence(SENTENCES.SIZE_OF_LIST, list);
     return judged(read, false, presence ? bitsText(presence, expected) : expected, "wrong_measure");
   }
 
@@ -281,4 +282,10 @@ export class ExplainedBody {
     const should = field.sameAs ? this.asked.get(field.sameAs) : undefined;
     return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float" ? field.value.size : 0);
   }
+}
+
+/** Whether a field counts the sent bytes of a list with a name. */
+function countsSent({ lists }, field, name) {
+  const list = lists.find((own) => own.name === name);
+  return list?.sentPlus !== undefined && list.countName === field.name;
 }

@@ -35,6 +35,7 @@ export const SENTENCES = {
  "WITHOUT_END": "{name} has no end",
  "FEWER_FOLLOW": "{name} has {count} bytes, but only {rest} follow",
  "WRONG_SIZE": "{count} is not a number of bytes of {name}",
+ "SIZE_OF_LIST": "the bytes of {name}",
  "NUMBER_IF_SENT": "a number with which {name} is sent",
  "NUMBER_IF_ABSENT": "a number with which {name} is not sent",
  "PERCENTAGE": "{percent} % of {references}",

@@ -17,6 +17,8 @@ typedef size_t (*device_decided_size)(const uint8_t *in);
  * size of the last one.
  * `element_size` is NULL where all elements have the same size, or `decided_size` tells that of the only element. Numbers
  * of `bits` bits are packed, from the highest bit or where they are `low_first` from the lowest; it is 0 for whole bytes.
+ * Where it `counts_sent` bytes, the number at `count_at` is that of elements only in the image: what is sent is the
+ * number of their sent bytes, plus `sent_plus`.
  */
 typedef struct device_inner_list {
     size_t first;
@@ -35,19 +37,46 @@ typedef struct device_inner_list {
     size_t bits;
     bool is_low_first;
     bool is_signed;
+    bool counts_sent;
+    long sent_plus;
 } device_inner_list;
+
+/** The number in some bytes at `count_at`. */
+static inline uint32_t device_list_number(const device_inner_list *list, const uint8_t *image)
+{
+    const uint8_t *count = image + list->count_at;
+    uint32_t number = 0u;
+    size_t index;
+    for (index = 0; index < list->count_size; index++) {
+        number = number << 8 | count[list->is_little ? list->count_size - 1u - index : index];
+    }
+    return number;
+}
+
+/** Writes a number to the bytes at `count_at`. */
+static inline void device_store_list_number(const device_inner_list *list, uint8_t *image, size_t number)
+{
+    uint8_t *count = image + list->count_at;
+    size_t index;
+    for (index = 0; index < list->count_size; index++) {
+        count[list->is_little ? index : list->count_size - 1u - index] = (uint8_t)(number >> 8u * index);
+    }
+}
+
+/** The sent bytes of elements that differ in size, as a number in sent bytes says; SIZE_MAX for one that cannot be right. */
+static inline size_t device_measured_bytes(const device_inner_list *list, const uint8_t *fields)
+{
+    long size = (long)device_list_number(list, fields) - list->sent_plus;
+    return size < 0 || (unsigned long)size > list->most ? SIZE_MAX : (size_t)size;
+}
 
 /** The bytes of a list, as its count in an image says; SIZE_MAX for a count that cannot be right. */
 static inline size_t device_list_size(const device_inner_list *list, const uint8_t *image)
 {
-    const uint8_t *count = image + list->count_at;
-    uint32_t bits = 0u;
+    uint32_t bits = device_list_number(list, image);
     size_t number, size;
     if (list->count_size == 0u) {
         return list->most;
-    }
-    for (number = 0; number < list->count_size; number++) {
-        bits = bits << 8 | count[list->is_little ? list->count_size - 1u - number : number];
     }
     number = (size_t)(list->mask == 0u ? bits : (bits & list->mask) / (list->mask & (0u - list->mask)));
     if (list->plus > 0 && number < (size_t)list->plus) {
@@ -139,6 +168,16 @@ static inline device_codec_status device_take_elements(const device_inner_list *
     return to < list->least ? DEVICE_ERR_INCOMPLETE : DEVICE_OK;
 }
 
+/** The same of elements that are all of the `measured` bytes: a list that ends otherwise has a wrong number. */
+static inline device_codec_status device_take_measured(const device_inner_list *list, const uint8_t *in, size_t measured,
+        uint8_t *image, size_t *size, size_t *taken)
+{
+    device_codec_status status;
+    *size = SIZE_MAX;
+    status = device_take_elements(list, in, measured, image, size, taken);
+    return status == DEVICE_ERR_INCOMPLETE || status == DEVICE_ERR_WRONG_LENGTH ? DEVICE_ERR_WRONG_MEASURE : status;
+}
+
 /**
  * The bytes of a record that some bytes begin with, maybe more than the `left` ones; 0 for a wrong count, SIZE_MAX where
  * a type is not known. `fields` has room for its `fixed` bytes of other fields.
@@ -156,12 +195,15 @@ static inline size_t device_sent_size(const device_inner_list *lists, size_t cou
         device_copy_bytes(fields + at, in + from, list->first - at);
         from += list->first - at;
         at = list->first;
-        size = taken = list->decided_size != NULL ? list->decided_size(fields) : device_list_size(list, fields);
+        size = taken = list->decided_size != NULL ? list->decided_size(fields)
+                : list->counts_sent ? device_measured_bytes(list, fields) : device_list_size(list, fields);
         if (size == SIZE_MAX) {
             return list->decided_size != NULL ? SIZE_MAX : 0u;
         }
-        if (list->element_size != NULL) {
-            device_codec_status status = device_take_elements(list, in + from, left - from, NULL, &size, &taken);
+        if (list->element_size != NULL && (!list->counts_sent || size <= left - from)) {
+            device_codec_status status = list->counts_sent
+                    ? device_take_measured(list, in + from, size, NULL, &size, &taken)
+                    : device_take_elements(list, in + from, left - from, NULL, &size, &taken);
             if (status != DEVICE_OK) {
                 return status == DEVICE_ERR_INCOMPLETE ? left + 1u : status == DEVICE_ERR_UNKNOWN_VALUE ? SIZE_MAX : 0u;
             }
@@ -200,6 +242,15 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
             if (index + 1u == count && size < left) {
                 return DEVICE_ERR_WRONG_LENGTH;
             }
+        } else if (list->counts_sent) {
+            size_t measured = device_measured_bytes(list, image);
+            if (measured == SIZE_MAX || (index + 1u == count && measured != left)) {
+                return DEVICE_ERR_WRONG_MEASURE;
+            }
+            if (measured > left) {
+                return DEVICE_ERR_INCOMPLETE;
+            }
+            left = measured;
         } else if (index + 1u < count) {
             size = device_list_size(list, image);
             if (size == SIZE_MAX) {
@@ -207,9 +258,14 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
             }
         }
         if (list->element_size != NULL) {
-            device_codec_status status = device_take_elements(list, in + from, left, image + list->room, &size, &taken);
+            device_codec_status status = list->counts_sent
+                    ? device_take_measured(list, in + from, left, image + list->room, &size, &taken)
+                    : device_take_elements(list, in + from, left, image + list->room, &size, &taken);
             if (status != DEVICE_OK) {
                 return status;
+            }
+            if (list->counts_sent) {
+                device_store_list_number(list, image, size / list->element);
             }
         } else if (list->bits != 0u) {
             size_t numbers = 8u * left / list->bits;
@@ -275,6 +331,18 @@ static inline size_t device_place_list(const device_inner_list *list, const uint
     return to;
 }
 
+/** The bytes of lists that are sent before the number of the list at an `index`. */
+static inline size_t device_before(const device_inner_list *lists, size_t index, const uint8_t *image)
+{
+    size_t other, size = 0;
+    for (other = 0; other < index; other++) {
+        if (lists[other].first <= lists[index].count_at) {
+            size += device_place_list(&lists[other], image, device_list_size(&lists[other], image), NULL);
+        }
+    }
+    return size;
+}
+
 /** Writes what is sent of the image of a record with lists. */
 static inline device_codec_status device_place_lists(const device_inner_list *lists, size_t count, size_t fixed,
         const uint8_t *image, size_t image_length, uint8_t *out, size_t capacity, size_t *length)
@@ -283,18 +351,26 @@ static inline device_codec_status device_place_lists(const device_inner_list *li
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
         size_t size = index + 1u < count ? device_list_size(list, image) : image_length - list->room;
-        total += device_place_list(list, image, size, NULL);
+        size_t own = device_place_list(list, image, size, NULL);
+        if (list->counts_sent && (unsigned long)((long)own + list->sent_plus) >> 8u * list->count_size != 0u) {
+            return DEVICE_ERR_OUT_OF_RANGE;
+        }
+        total += own;
     }
     if (capacity < total) {
         return DEVICE_ERR_CAPACITY;
     }
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
-        size_t size = index + 1u < count ? device_list_size(list, image) : image_length - list->room;
+        size_t own, size = index + 1u < count ? device_list_size(list, image) : image_length - list->room;
         device_copy_bytes(out + to, image + at, list->first - at);
         to += list->first - at;
         at = list->first;
-        to += device_place_list(list, image, size, out + to);
+        own = device_place_list(list, image, size, out + to);
+        if (list->counts_sent) {
+            device_store_list_number(list, out + device_before(lists, index, image), (size_t)((long)own + list->sent_plus));
+        }
+        to += own;
     }
     device_copy_bytes(out + to, image + at, fixed - at);
     *length = total;

@@ -17,13 +17,32 @@ export function fits(presence, number, elements) {
 export const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.clz32(mask & -mask)}..${31 - Math.clz32(mask)}`;
 
 /** The bytes in the image of a list that does not end with the data, as its count in some bytes says. */
-function countedBytes({ at, length, little, unit, plus = 0, most, element, presence }, bytes) {
+function countedBytes(list, bytes) {
+  const { length, unit, plus = 0, most, element, presence } = list;
   if (!length) return most;
-  let number = 0;
-  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+  let number = listNumber(list, bytes);
   if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
   if (presence) number = decidingBits(presence, number);
   return (number - plus) * unit;
+}
+
+/** The number in some bytes that counts a list. */
+function listNumber({ at, length, little }, bytes) {
+  let number = 0;
+  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+  return number;
+}
+
+/** The sent bytes of a list that a number in sent bytes counts; undefined where that cannot be right. */
+function measuredBytes(list, bytes) {
+  const size = listNumber(list, bytes) - list.sentPlus;
+  return size >= 0 && size <= list.most ? size : undefined;
+}
+
+/** Some bytes with another number in the field that counts a list. */
+function setListNumber({ name, at, length, little }, bytes, number) {
+  if (number < 0 || number >= 256 ** length) throw new CodecError("out_of_range", `${name} has more bytes than a field can count`);
+  for (let place = 0; place < length; place++) bytes[at + (little ? place : length - 1 - place)] = number / 256 ** place & 255;
 }
 
 /** The bytes of an element that another field decides; undefined where that decides nothing. */
@@ -89,10 +108,12 @@ function elementIn(parts, bytes) {
     const at = list.first + before;
     if (bytes.length < at) break;
     fields.push(...bytes.subarray(fields.length + before, at));
-    const size = sizeIn(list, fields);
+    const size = list.sentPlus === undefined ? sizeIn(list, fields) : measuredBytes(list, fields);
     if (size === undefined) return { fault: numberFault(parts, extents, list) };
     const elements = list.decision ? [size] : [];
-    const extent = list.parts ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements };
+    const extent = list.sentPlus !== undefined && at + size <= bytes.length
+      ? measuredIn(parts, list, bytes.subarray(at, at + size), at, extents)
+      : list.parts && list.sentPlus === undefined ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements };
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
@@ -135,6 +156,13 @@ function elementsIn(list, data, size, start) {
   return { size: at, elements };
 }
 
+/** The elements of a list in all of the bytes that a number counts, which is wrong if they end otherwise. */
+function measuredIn(inner, list, data, start, extents) {
+  const extent = elementsIn(list, data, null, start);
+  const { reason } = extent.fault ?? {};
+  return reason === "incomplete" || reason === "wrong_length" ? { fault: numberFault(inner, extents, list) } : extent;
+}
+
 /**
  * The bytes of each list in some data, and of its elements where these differ; up to the first one for which they are
  * not known, and why. In the image of a record with `lists`, these come last, each at its `room`; the other fields have
@@ -142,7 +170,8 @@ function elementsIn(list, data, size, start) {
  * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of a list that always has
  * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ, a
  * `decision` that of the only element. With a `packing`, numbers have fewer bits than in the image. With a `presence`,
- * bits of the number say whether the only element is sent, or have the count.
+ * bits of the number say whether the only element is sent, or have the count. With a `sentPlus`, the number is that of
+ * the sent bytes, plus `sentPlus`, and only in the image that of units.
  */
 export function extentsIn({ fixed, lists }, data) {
   const extents = [];
@@ -150,15 +179,21 @@ export function extentsIn({ fixed, lists }, data) {
   let before = 0;
   for (const list of lists) {
     const at = list.first + before;
-    const left = data.length - at - fixed + list.first;
+    let left = data.length - at - fixed + list.first;
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
-    const counted = isLast && !list.decision ? null : sizeIn(list, image);
+    let counted = isLast && !list.decision ? null : sizeIn(list, image);
+    if (list.sentPlus !== undefined) {
+      const sent = measuredBytes(list, image);
+      counted = isLast && sent !== left ? undefined : sent;
+      if (counted > left) return { extents, fault: { reason: "incomplete", at: data.length } };
+      if (counted !== undefined) [left, counted] = [counted, null];
+    }
     if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
-    const extent = list.parts
-      ? elementsIn(list, data.subarray(at, at + left), counted, at)
-      : { size: counted === null ? left : sentListBytes(list, counted), elements: list.decision ? [counted] : [] };
+    const extent = list.sentPlus !== undefined
+      ? measuredIn({ fixed, lists }, list, data.subarray(at, at + left), at, extents)
+      : list.parts ? elementsIn(list, data.subarray(at, at + left), counted, at) : { size: counted === null ? left : sentListBytes(list, counted), elements: list.decision ? [counted] : [] };
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
     if (list.packing) {
@@ -212,6 +247,9 @@ function imageOf({ fixed, lists }, data, extents) {
     at = list.first;
   }
   image.set(data.subarray(at + before, fixed + before), at);
+  for (const [number, list] of lists.entries()) {
+    if (list.sentPlus !== undefined) setListNumber(list, image, extents[number].elements.length);
+  }
   return image;
 }
 
@@ -234,21 +272,31 @@ export function readAround(inner, read, bytes, offset, end) {
 
 /** What is sent of an image whose last list has `last` bytes there. */
 export function sentOfImage({ fixed, lists }, image, last) {
-  const pieces = [];
-  let at = 0;
-  for (const list of lists) {
-    const { first, room, element, parts } = list;
+  const fields = image.slice(0, fixed);
+  const lengths = lists.map((list) => {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
-    const size = decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
-    pieces.push(...image.subarray(at, first));
-    if (list.packing) pieces.push(...packedList(list, image.subarray(room, room + size)));
-    else for (let from = room; from < room + size; from += parts ? element : size) {
-      const own = parts ? elementBytes(parts, image.subarray(from, from + element)) : size;
-      pieces.push(...image.subarray(from, from + own));
-    }
-    at = first;
+    return decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
+  });
+  const pieces = lists.map((list, index) => sentOfList(list, image.subarray(list.room, list.room + lengths[index])));
+  for (const [index, list] of lists.entries()) {
+    if (list.sentPlus !== undefined) setListNumber(list, fields, pieces[index].length + list.sentPlus);
   }
-  return Uint8Array.from([...pieces, ...image.subarray(at, fixed)]);
+  const ends = [...lists.map(({ first }) => first), fixed];
+  const sent = ends.flatMap((end, index) => [...fields.subarray(ends[index - 1] ?? 0, end), ...(pieces[index] ?? [])]);
+  return Uint8Array.from(sent);
+}
+
+/** What is sent of a list that has some bytes in the image. */
+function sentOfList(list, image) {
+  const { element, parts, packing } = list;
+  if (packing) return [...packedList(list, image)];
+  if (!parts) return [...image];
+  const sent = [];
+  for (let from = 0; from < image.length; from += element) {
+    const own = image.subarray(from, from + element);
+    sent.push(...own.subarray(0, elementBytes(parts, own)));
+  }
+  return sent;
 }
 
 /**
