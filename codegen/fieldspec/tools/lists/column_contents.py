@@ -14,7 +14,7 @@ from fieldspec.tools.lists.row_quantity import COUNT, decimal_places, example
 from fieldspec.tools.lists.sheet import CellError, SheetRow
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import bit_names, value_meanings
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import folded, meaning
 
 _NO_SPACES = ("input", "inputs", "i", "register", "registers", "contact", "discrete", "c", "h")
 """Names of address spaces that also are directions, and types."""
@@ -64,6 +64,11 @@ def is_place(text: str) -> bool:
         return True
 
 
+def _is_word_of_other(text: str) -> bool:
+    """Whether a text is one of a column of functions, accesses, or directions of factors."""
+    return cells.functions(text) is not None or bool(cells.access(text) or meaning("operators", text))
+
+
 _CONTENTS: dict[str, Callable[[str], object]] = {
     "address": is_place,
     "words": lambda text: re.fullmatch(
@@ -85,7 +90,8 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "first": lambda text: cells.whole(text) is not None,
     "bit": lambda text: re.search(r"[0-9]", text),
     "name": lambda text: any(map(str.isalpha, text)),
-    "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None and not cells.access(text),
+    "label": lambda text: (any(map(str.isalpha, text)) or value_meanings(text)) and not _is_word_of_other(text),
+    "operator": lambda text: meaning("operators", text),
     "unit": lambda text: not text.isdecimal() or text == "1",
     "type": typed,
     "word_order": lambda text: stated_order(text) or cells.answer(text) is not None,

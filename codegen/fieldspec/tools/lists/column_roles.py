@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise, product
 
 from fieldspec.foundation.classes import dataclass, field
@@ -25,7 +25,7 @@ from fieldspec.tools.lists.column_contents import (
 from fieldspec.tools.lists.object_groups import GROUP
 from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_quantity import FACTORS
-from fieldspec.tools.lists.sheet import SheetRow, letters
+from fieldspec.tools.lists.sheet import SheetRow, column_of, letters
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import value_meanings
 from fieldspec.tools.lists.words import folded, meaning, whole_words, words
@@ -36,9 +36,15 @@ _SHORT_WORDS = ((r"^reg(?![a-z])", "register"), (r"\badr\b", "address"), (r"\bfc
 _BETWEEN = re.compile(r"\s*[/|\n]\s*")
 _LONGEST = 200
 NOTE = "note"
-FURTHER = ("unit",)
+FURTHER = ("unit", "type", "values", "space")
 """The roles of which a row has the cell of any column: the first one with a text, and others become notes."""
 
+_FURTHER_CONTENTS: dict[str, Callable[[str], object]] = {
+    "unit": known_unit,
+    "type": typed,
+    "values": value_meanings,
+    "space": cells.space,
+}
 _NOTATIONS = ("hex", "dec", "decimal", "hexadecimal", "index", "offset", "start", "end")
 """Headings of numbers of any kind."""
 
@@ -115,7 +121,8 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         places[role] = column
     heads = [tuple(dict.fromkeys(map(folded, _variants(texts)))) for texts in parts]
     sample = rows[:LOOKED_AT]
-    further: dict[str, tuple[int, ...]] = {}
+    byte_columns = _byte_columns(heads, {*places.values()})
+    further: dict[str, tuple[int, ...]] = {"bytes of addresses": byte_columns} if byte_columns else {}
     for role, role_words in words("headings").items():
         used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
         fits = _ranked(heads, role_words, used_columns)
@@ -123,11 +130,11 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
             fits = [column for column in fits if not are_no_types(sample, column)]
         if role in ("word_order", "byte_order"):
             fits = [column for column in fits if not are_ranks(sample, column)]
-        is_fallback = not fits
-        if is_fallback:
-            fits = _ranked(heads, words("fallbacks").get(role, ()), used_columns)
+        own_fits = set(fits)
+        if role in FURTHER or not fits:
+            fits += _ranked(heads, words("fallbacks").get(role, ()), {*used_columns, *fits})
         texts = {column: [text for row in sample if (text := row.cell(column))] for column in fits}
-        columns = [column for column in fits if has_role(role, texts[column], is_fallback)]
+        columns = [column for column in fits if has_role(role, texts[column], column not in own_fits)]
         if role in NOTED and not columns:
             columns = [
                 column
@@ -160,8 +167,8 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         if role not in places and columns:
             places[role] = columns[0]
             columns = columns[1:]
-        if role == "unit":
-            columns = [column for column in columns if all(map(known_unit, texts[column]))]
+        if role in FURTHER:
+            columns = [column for column in columns if all(map(_FURTHER_CONTENTS[role], texts[column]))]
         if role in (*FURTHER, "address", "name", NOTE) and columns and not (role == "address" and "address" in names):
             further[role] = tuple(columns)
     codes = _ranked([heads[column] for column in further.get("address", ())], words("codes")["printed_name"], set())
@@ -190,9 +197,8 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
     if of_heading and "address" in further:
         column_spaces = {column: cells.space(headings[column]) for column in further["address"]}
         further["address"] = tuple(column for column, other in column_spaces.items() if other in ("", of_heading))
-    if byte_columns := _byte_columns(heads, {*places.values()}):
+    if byte_columns:
         rows, headings = _with_addresses_of_bytes(rows, headings, byte_columns)
-        further |= {"bytes of addresses": byte_columns}
         if "address" in places:
             further["address"] = (*further.get("address", ()), len(headings) - 1)
         places.setdefault("address", len(headings) - 1)
@@ -358,10 +364,7 @@ def column_number(text: str, width: int) -> int | None:
     if re.fullmatch("[0-9]{1,4}", text) and 1 <= int(text) <= width:
         return int(text) - 1
     if re.fullmatch("[A-Za-z]{1,2}", text):
-        number = 0
-        for letter in text.upper():
-            number = number * 26 + ord(letter) - ord("A") + 1
-        return number - 1 if number <= width else None
+        return column_of(text) - 1 if column_of(text) <= width else None
     return None
 
 

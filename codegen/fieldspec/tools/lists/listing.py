@@ -11,8 +11,9 @@ from math import gcd
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.fact import LINES
 from fieldspec.tools.lists import cells
-from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place, address_text
+from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, TABLES, Place, address_text
 from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
+from fieldspec.tools.lists.brackets import parted
 from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign, functions
 from fieldspec.tools.lists.column_roles import FURTHER, NOTE, Columns, headings_text
 from fieldspec.tools.lists.decisions import decided
@@ -39,13 +40,14 @@ from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import folded
 
 _NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
-_SHORTEST_TITLE, _COILS = 8, "coils"
-"""The fewest letters of a title that names a space: shorter titles, such as `Inputs`, name groups."""
+_SHORTEST_TITLE, _LONGEST_TITLE, _COILS = 8, 5, "coils"
+"""The fewest letters of a title that names a space: shorter titles, such as `Inputs`, name groups; and the most words
+of one that begins with it."""
 
 _WIDE_STEPS = (4, 8)
 """The bytes of registers with more than a word."""
 
-_EMPTY = ("-", "--", "---", "n/a", "N/A", "\u2013", "\u2014", "/")
+_EMPTY = ("-", "--", "---", "n/a", "N/A", "undefined", "\u2013", "\u2014", "/")
 _BIT_NAME = re.compile(
     r"(?:bit|b)\s*\.?([0-9]{1,2})(?:\s*(?:-|\.\.|~)\s*(?:bit|b)?([0-9]{1,2}))?\b[\s:=.)-]*(.*)", re.IGNORECASE
 )
@@ -173,7 +175,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
             row = replace(row, doubts=(*row.doubts, f"Cells beyond the headings in the list: {texts_beyond}."))
         space = area or row.space or cells.space(sheet.name)
         read.append(replace(row, bits=row_place.bits or row.bits, space=space))
-    read = _by_functions(_beneath_titles(read, sheet, assumptions))
+    read = _by_functions(_beneath_titles(_with_numbered_spaces(read, assumptions), sheet, assumptions))
     unknown = list(unknown_areas(places, {row.row: row.space for row in read}, columns_of_sheet.heading("address")))
     refused += unknown
     refused_rows = {refusal.row for refusal in unknown}
@@ -273,8 +275,7 @@ def _further_cells(columns_of_sheet: Columns, places: Placed, assumptions: list[
 
 def _titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:
     """The order of words that a row with only a text states for the whole list; empty where none does."""
-    titles = [cell for row in sheet.rows for cell in row.cells if cell and len({*filter(None, row.cells)}) == 1]
-    orders = {order: title for title in titles if (order := described_order(title))}
+    orders = {order: title for title in _titles(sheet).values() if (order := described_order(title))}
     if len(orders) != 1:
         return ""
     ((order, title),) = orders.items()
@@ -282,15 +283,21 @@ def _titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:
     return order
 
 
+def _titles(sheet: Sheet) -> dict[int, str]:
+    """The texts of rows with nothing else, by the numbers of the rows."""
+    texts = {row.number: {*filter(None, row.cells)} for row in sheet.rows}
+    return {number: next(iter(cells_of_row)) for number, cells_of_row in texts.items() if len(cells_of_row) == 1}
+
+
 def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:
     """The rows; rows that name no space are in the space of the title above, a row with only the name of a space."""
     titles: dict[int, tuple[str, str]] = {}
-    for row in sheet.rows:
-        texts = {cell for cell in row.cells if cell}
-        text = next(iter(texts)) if len(texts) == 1 else ""
+    for number, text in _titles(sheet).items():
         is_long = len(folded(text)) >= _SHORTEST_TITLE or folded(text) == _COILS
-        if is_long and (space := cells.space(text)):
-            titles[row.number] = space, text
+        bare, aside = parted(text.strip("#*_ "))
+        beginning = " ".join(bare.split()[:2]) if len(bare.split()) <= _LONGEST_TITLE else ""
+        if is_long and (space := cells.space(text) or cells.space(aside) or cells.space(beginning)):
+            titles[number] = space, text
     result = []
     title, used = ("", ""), dict[str, str]()
     ordered = sorted(
@@ -306,6 +313,20 @@ def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Ass
         reading = ", ".join(f"{space} below `{text}`" for space, text in used.items())
         assumptions.append(Assumption("address space", reading, "the titles", "--space"))
     return result
+
+
+def _with_numbered_spaces(rows: list[ListRow], assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows, of whose spaces those that are numbers are codes of functions, or the first digits of references: what
+    is written shows which."""
+    numbers = {row.space for row in rows}
+    written = {row.space for row in rows if row.access in ("rw", "wo")}
+    are_codes, are_digits = bool({"2"} & numbers or {"1", "3"} & written), bool({"0"} & numbers or {"4"} & written)
+    spaces = {code: read.space for code in "1234" if (read := functions(code))} if are_codes else TABLES
+    if are_codes is are_digits or not numbers & spaces.keys():
+        return rows
+    reading = "codes of functions" if are_codes else "first digits of references"
+    assumptions.append(Assumption("kinds of registers", reading, "the other does not fit all rows", "--space"))
+    return [replace(row, space=spaces.get(row.space, row.space)) for row in rows]
 
 
 def _by_functions(rows: list[ListRow]) -> list[ListRow]:

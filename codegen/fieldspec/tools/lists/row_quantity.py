@@ -21,7 +21,7 @@ from fieldspec.tools.lists.quantities import (
     unit_cell,
 )
 from fieldspec.tools.lists.type_words import typed
-from fieldspec.tools.lists.words import folded, words
+from fieldspec.tools.lists.words import folded, meaning, words
 
 FACTORS = ("scale", "gain", "divisor")
 """The roles of columns with factors, whose direction a list may leave open."""
@@ -86,6 +86,8 @@ def quantity_of(
     if unit is not None and unit.unit == _COULOMB:
         is_temperature = any(word in folded(name) for name in names for word in words("measured")["K"])
         unit = replace(unit, unit="°C") if is_temperature else None
+    if unit is None and (step := number(text, decimal)) is not None and 0 < step < 1:
+        unit = Quantity(Fraction(step))
     if unit is None or (typed(unit.unit) is not None and not known_unit(unit.unit)):
         doubts.append(f"Unit in the list: {text or texts['range']}.")
         unit = Quantity()
@@ -130,7 +132,10 @@ def quantity_of(
             unit = replace(unit, unit=unit.unit or known_unit(note))
     for role in FACTORS:
         cell = factor_cell(texts, role)
-        if (count_factor := times(cell, decimal)) is not None:
+        operator, operand = meaning("operators", texts.get("operator", "")), factor(cell, decimal)
+        if operator and operand is not None:
+            stated.append((operand if operator == "multiply" else 1 / operand, texts[role]))
+        elif (count_factor := times(cell, decimal)) is not None:
             in_counts = Quantity(times=count_factor, evidence=texts[role])
         elif cell and states_direction(cell):
             bare = _TIMES.sub("", cell)
@@ -173,7 +178,8 @@ def factor_cell(texts: Mapping[str, str], role: str) -> str:
 def open_factor(texts: Mapping[str, str], role: str, decimal: str) -> Fraction | None:
     """The factor of a row whose cell does not say whether it multiplies or divides; None if it says so, or has none."""
     text = factor_cell(texts, role)
-    return None if states_direction(text) else factor(text, decimal)
+    is_stated = states_direction(text) or meaning("operators", texts.get("operator", ""))
+    return None if is_stated else factor(text, decimal)
 
 
 def example(text: str, decimal: str) -> Quantity | None:
@@ -212,7 +218,7 @@ def _described(text: str, decimal: str) -> Quantity | None:
     if after_word and (unit := known_unit(after_word[1])):
         return Quantity(unit=unit)
     if (fraction := _FRACTION.search(text)) and (unit := known_unit(fraction[2].strip(".,;)"))):
-        return Quantity(Fraction(1, 10 if fraction[1] else 100), unit)
+        return Quantity(Fraction(1, 10 if fraction[1] else 100), unit if unit != "°" else "")
     scaled_pieces = [unit_cell(piece, decimal) for piece in pieces] if len(pieces) > 1 else []
     powers = [piece for piece in scaled_pieces if piece is not None and known_unit(piece.unit) and _is_power(piece)]
     if len(powers) == 1:

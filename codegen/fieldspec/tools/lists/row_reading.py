@@ -18,7 +18,7 @@ from fieldspec.tools.lists.cells import POINT, access, answer, bounds, functions
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS
 from fieldspec.tools.lists.orders import joined_order, stated_order
 from fieldspec.tools.lists.quantities import known_unit, scaled_unit
-from fieldspec.tools.lists.remarks import special_states, spoken_access, states_at_ends
+from fieldspec.tools.lists.remarks import special_states, spoken_access
 from fieldspec.tools.lists.row_quantity import FACTORS, described_range, example, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, described_order, typed
 from fieldspec.tools.lists.value_forms import type_parts
@@ -34,6 +34,10 @@ OF_THE_MANUAL = ("section", "line", "unverified")
 STATES = ("zero", "one")
 """The roles of columns with the meaning of 0, and of 1."""
 
+_SIGNLESS = ("word", "dword", "uint", "byte", "short", "long", "int", "int16", "int32", "int64")
+"""The types beside which another column may say that they have a sign, or none."""
+
+_VALUE_WORD = re.compile(r"^values?\s+(?=[-0-9])", re.IGNORECASE)
 _SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile(f"({PAGES}?)([1-9][0-9]{{0,5}})")
 _HIGHEST_COUNT = 0xFFFFFFFF
 _LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
@@ -70,13 +74,14 @@ class ListRow:
 
     Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role, `doubts` what
     could not be understood or contradicts something. `words` is the size that the list states, `gap` the distance
-    to the next address. `special` are states that a list has apart from other values, `scale_text` is its scale as
-    written. `factor` is a number whose direction the list leaves open, after a multiplication sign if `is_times`.
-    `scaled_by` is the text that has it, or the scale where no cell of scales has it. `bits` is the place of bits in
-    the register. `kind` is what the row is, `subindices` the first and the last one of elements of the parameter at
-    the address, `place` that of a signal in its message. `form` has the keys of how a value is sent beyond its
-    type. `parts` are the numbers of rows with its other word or with its values, `cited` the section and the line
-    of an exported row in its manual, and `is_verified` says that somebody has compared them.
+    to the next address. `special` are states that a list has apart from other values, `described` its descriptions,
+    `scale_text` is its scale as written. `factor` is a number whose direction the list leaves open, after a
+    multiplication sign if `is_times`. `scaled_by` is the text that has it, or the scale where no cell of scales has
+    it. `bits` is the place of bits in the register. `kind` is what the row is, `subindices` the first and the last
+    one of elements of the parameter at the address, `place` that of a signal in its message. `form` has the keys of
+    how a value is sent beyond its type. `parts` are the numbers of rows with its other word or with its values,
+    `cited` the section and the line of an exported row in its manual, and `is_verified` says that somebody has
+    compared them.
     """
 
     row: int
@@ -112,6 +117,7 @@ class ListRow:
     is_own: bool = False
     scale_text: str = ""
     special: tuple[tuple[str, str], ...] = ()
+    described: tuple[str, ...] = ()
     doubts: tuple[str, ...] = ()
     parts: tuple[int, ...] = ()
     cited: Citation | None = None
@@ -144,7 +150,7 @@ class Cells:
 
 def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     """A row without its address. `decimal` is the sign before a fraction, `default_order` that of other rows."""
-    texts = row.texts
+    texts = _rerouted(row.texts)
     doubts: list[str] = []
     described = [text for text in (texts.get("label", ""), *(note for _, note in row.notes)) if text]
     own_type = _type(texts, described, doubts)
@@ -182,9 +188,21 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         length=whole(
             re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
         ),
-        special=special_states(texts, doubts) or states_at_ends(own_type, described),
+        special=special_states(texts, own_type, doubts),
+        described=tuple(described),
         doubts=(*doubts, *(f"{heading} in the list: {text}." for heading, text in row.notes)),
     )
+
+
+def _rerouted(texts: Mapping[str, str]) -> Mapping[str, str]:
+    """The cells of a row; a cell under the heading of units is one of values, or a range, if it has these."""
+    text = _VALUE_WORD.sub("", texts.get("unit", ""))
+    meanings = value_meanings(text)
+    is_list = meanings is not None and len(meanings.members) + len(meanings.bits) > 1
+    role = "values" if is_list else "range" if bounds(text) is not None else ""
+    if not role or role in texts:
+        return texts
+    return {**{key: cell for key, cell in texts.items() if key != "unit"}, role: text}
 
 
 def exported_row(row: ListRow) -> ListRow:
@@ -248,8 +266,8 @@ def _type(texts: Mapping[str, str], described: Sequence[str], doubts: list[str])
     elif own_type.kind is Loose.WHOLE:
         return replace(own_type, signed=signed)
     elif own_type.name[:1] in ("u", "i") and (own_type.name[0] == "i") is not signed:
-        if own_type.name[0] == "u" and folded(text) in ("word", "dword", "uint", "byte", "register", "short"):
-            return replace(own_type, name=f"i{own_type.name[1:]}")
+        if folded(text) in _SIGNLESS:
+            return replace(own_type, name=f"{'i' if signed else 'u'}{own_type.name[1:]}")
         doubts.append(f"The list says {text}, and signed: {signed_text}.")
     return own_type
 
@@ -317,12 +335,14 @@ def _bounds(
     text = texts.get("range", "") or (values if bounds(values, decimal) is not None else "")
     if not text and (low, high) == (None, None):
         text = next((text for text in described if described_range(text, decimal)), "")
-    range_ends = bounds(text, decimal)
+    bare, aside = parted(text)
+    in_brackets = value_meanings(aside) if aside and bounds(bare, decimal) is not None else None
+    range_ends = bounds(bare if in_brackets else text, decimal)
     if range_ends is not None:
         if (low, high) != (None, None) and (low, high) != range_ends:
             doubts.append(f"Range in the list: {text}.")
-            return low, high, None
-        return *range_ends, None
+            return low, high, in_brackets
+        return *range_ends, in_brackets
     meanings = value_meanings(text) if text else None
     if text and meanings is None:
         doubts.append(f"Range in the list: {text}.")

@@ -9,6 +9,9 @@ from fieldspec.tools.lists.type_words import Loose
 
 BIT = "bit"
 
+_MOST_WORDS = 4
+"""The most words of a number."""
+
 _BY_WORDS = {1: "u16", 2: "u32", 4: "u64"}
 _WORD_BITS = 16
 _WHOLE_WORDS = {"u8": "u16", "i8": "i16", "u24": "u32", "i24": "i32"}
@@ -40,7 +43,9 @@ def shape(row: ListRow, in_bits: bool) -> Shape:
         name = _BY_WORDS.get(row.words or 1, "bytes")
         if row.low is not None and row.low < 0 and name != "bytes":
             name = name.replace("u", "i")
-        return Shape(name, row.words or 1, row.count, (), "The list does not say it.")
+        is_short = any(map(str.isalpha, type_text)) and row.words is None and 1 < row.gap <= _MOST_WORDS
+        doubts = (f"The list has a type of unknown size, and the next address is {row.gap} after.",) if is_short else ()
+        return Shape(name, row.words or 1, row.count, doubts, "The list does not say it.")
     size = (PRIMITIVES[name].size + 1) // 2
     length = own_type.length if own_type is not None else 0
     if not size:
