@@ -77,25 +77,20 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "bits": lambda text: bit_names(text) is not None,
     "last": address_text,
     "access": cells.access,
-    "readable": lambda text: cells.answer(text) is not None,
-    "read_only": lambda text: cells.answer(text) is not None,
     "writable": lambda text: cells.answer(text) is not None or cells.access(text),
     "function": cells.functions,
     "function_write": cells.functions,
     "places": lambda text: decimal_places(text) is not None,
-    "exponent": lambda text: cells.whole(text) is not None,
     "value_offset": lambda text: cells.number(text, cells.COMMA) is not None,
-    "count": lambda text: cells.whole(text) is not None,
-    "stride": lambda text: cells.whole(text) is not None,
-    "first": lambda text: cells.whole(text) is not None,
     "bit": lambda text: re.search(r"[0-9]", text),
     "name": lambda text: any(map(str.isalpha, text)),
     "label": lambda text: (any(map(str.isalpha, text)) or value_meanings(text)) and not _is_word_of_other(text),
     "operator": lambda text: meaning("operators", text),
     "unit": lambda text: not text.isdecimal() or text == "1",
     "type": typed,
-    "word_order": lambda text: stated_order(text) or cells.answer(text) is not None,
-    "byte_order": lambda text: stated_order(text) or cells.answer(text) is not None,
+    **dict.fromkeys(("readable", "read_only"), lambda text: cells.answer(text) is not None),
+    **dict.fromkeys(("exponent", "count", "stride", "first"), lambda text: cells.whole(text) is not None),
+    **dict.fromkeys(("word_order", "byte_order"), lambda text: stated_order(text) or cells.answer(text) is not None),
 }
 """What at least a third of the cells of a column must be, so that it has a role that its heading names."""
 
@@ -119,7 +114,7 @@ _BY_CELLS: dict[str, Callable[[str], object]] = {
     "space": cells.space,
     "access": cells.access,
     "unit": known_unit,
-    "values": lambda text: value_meanings(text) is not None and example(text, cells.POINT) is None,
+    "values": lambda text: value_meanings(text) is not None and example(text, cells.COMMA) is None,
     "formula": lambda text: COUNT.match(text) and formula(text, cells.POINT) is not None,
 }
 """The roles that the cells of a column show without a heading, where all of them fit."""

@@ -105,9 +105,13 @@ class Columns:
 
     def unused(self) -> list[int]:
         """The columns without a role that have cells."""
-        used = {*self.places.values(), *(column for columns in self.more.values() for column in columns)}
+        used = _used(self.places, self.more)
         width = max((len(row.cells) for row in self.rows), default=0)
         return [column for column in range(width) if column not in used and any(row.cell(column) for row in self.rows)]
+
+
+def _used(places: Mapping[str, int], more: Mapping[str, tuple[int, ...]]) -> set[int]:
+    return {*places.values(), *(column for columns in more.values() for column in columns)}
 
 
 def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tuple[SheetRow, ...]) -> Columns | None:
@@ -124,7 +128,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
     byte_columns = _byte_columns(heads, {*places.values()})
     further: dict[str, tuple[int, ...]] = {"bytes of addresses": byte_columns} if byte_columns else {}
     for role, role_words in words("headings").items():
-        used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
+        used_columns = _used(places, further)
         fits = _ranked(heads, role_words, used_columns)
         if role == "type":
             fits = [column for column in fits if not are_no_types(sample, column)]
@@ -178,7 +182,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
     if "value_offset" in places and "address" in places and counts_on(sample, places["value_offset"]):
         further["address"] = (*further.get("address", ()), places.pop("value_offset"))
     if "name" not in places:
-        used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
+        used_columns = _used(places, further)
         labels = [
             column
             for column in _ranked(heads, words("headings")["address"], used_columns)
@@ -187,10 +191,10 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         labels += _ranked(heads, words("headings")["label"], {*used_columns, *labels})
         if labels := [column for column in labels if not repeats(sample, column)] or labels[:1]:
             places["name"] = labels[0]
-    if "value" in places and not {"range", "values"} & {*places}:
+    if "value" in places and "values" not in places:
         filled = [text for row in sample if (text := row.cell(places["value"]))]
         if 0 < len(filled) <= 3 * sum(bool(cells.bounds(text) or value_meanings(text)) for text in filled):
-            places["range"] = places.pop("value")
+            places["values" if "range" in places else "range"] = places.pop("value")
         elif filled and "type" not in places and all(map(typed, filled)):
             places["type"] = places.pop("value")
     of_heading = cells.space(headings[places["address"]]) if "address" in places else ""
@@ -223,7 +227,7 @@ def _places_by_cells(
     further: Mapping[str, tuple[int, ...]],
 ) -> dict[str, int]:
     """The columns of roles that no heading names, where all their cells show the role."""
-    used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
+    used_columns = _used(places, further)
     result: dict[str, int] = {}
     for column in range(max((len(row.cells) for row in rows), default=0)):
         texts = [text for row in rows if (text := row.cell(column))]

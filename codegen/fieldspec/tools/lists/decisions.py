@@ -18,7 +18,7 @@ from fieldspec.tools.lists.remarks import described_states
 from fieldspec.tools.lists.row_quantity import FACTORS, unread_scales
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import ListError
-from fieldspec.tools.lists.type_words import Typed
+from fieldspec.tools.lists.type_words import UNSIGNED, Typed
 from fieldspec.tools.lists.words import folded
 
 _FEWEST = 3
@@ -201,7 +201,7 @@ def _coarse(rows: Sequence[ListRow]) -> int:
 def _measured(row: ListRow, factor: Fraction | None) -> Measured | None:
     if factor is None or row.low is None or row.high is None:
         return None
-    type_name = row.type.of_words(row.words) if row.type else {1: "u16", 2: "u32"}.get(row.words or 1, "u64")
+    type_name = row.type.of_words(row.words) if row.type else UNSIGNED.get(row.words or 1, "u64")
     if row.type is None and row.low < 0:
         type_name = type_name.replace("u", "i")
     return Measured(row.row, factor, row.low, row.high, type_name)

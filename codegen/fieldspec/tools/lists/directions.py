@@ -11,33 +11,13 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Assumption
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import folded, words
 
 MULTIPLY, DIVIDE = "multiply", "divide"
 COUNTS, UNIT = "counts", "unit"
 _OPTION = "--gain multiply or --gain divide"
 LENGTHS = {"words": 1, "bytes": 2, "bits": 16}
 """The units of lengths, with their number in a word."""
-
-_LENGTH_WORDS = {
-    "bytes": ("byte", "octet", "字节", "位元組", "バイト"),
-    "bits": ("bit", "位数", "ビット"),
-    "words": (
-        "word",
-        "regist",
-        "wort",
-        "mots",
-        "palabras",
-        "parole",
-        "字数",
-        "字數",
-        "字长",
-        "ワード",
-        "レジスタ",
-        "寄存器",
-        "暫存器",
-    ),
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,11 +153,12 @@ def length_unit(heading: str, sizes: Sequence[tuple[int, int, int]], stated: str
         return stated or "words", None
     matches = Counter(
         name
-        for length, words, gap in sizes
+        for length, size, gap in sizes
         for name, factor in LENGTHS.items()
-        if length == (words or gap) * factor and (words or gap)
+        if length == (size or gap) * factor and (size or gap)
     )
-    stated_unit = next((name for name in LENGTHS if any(word in folded(heading) for word in _LENGTH_WORDS[name])), "")
+    own_words = words("lengths")
+    stated_unit = next((name for name in LENGTHS if any(word in folded(heading) for word in own_words[name])), "")
     ranked = matches.most_common(2)
     likely = ranked[0][0] if ranked and (len(ranked) == 1 or ranked[0][1] > ranked[1][1]) else ""
     fits = [name for name in LENGTHS if all(not gap or length <= gap * LENGTHS[name] for length, _, gap in sizes)]

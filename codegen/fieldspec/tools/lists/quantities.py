@@ -23,8 +23,13 @@ _DISPLAYED = re.compile(r"[x#]+[.,]([x#]{1,6})", re.IGNORECASE)
 
 _RATIO = re.compile(r"([0-9]{1,9})\s*[/:]\s*([0-9]{1,9})")
 _LEADING = re.compile(
-    r"([-+]?[0-9]*[.,]?[0-9]+(?:[eE][-+]?[0-9]+)?|[/÷]\s*[0-9.,]+|10\s*\^\s*\(?[-+]?[0-9]+\)?|[0-9]+\s*/\s*[0-9]+)\s*[*x\u00d7·]?\s*([^\s0-9.,*/^].*)"
+    r"([-+]?[0-9]*[.,]?[0-9]+(?:[eE][-+]?[0-9]+)?|[/÷]\s*[0-9.,]+|10\s*\^\s*\(?[-+]?[0-9]+\)?|[0-9]+\s*/\s*[0-9]+|[X#]+\.[X#]+)\s*[*x\u00d7·]?\s*([^\s0-9.,*/^].*)"
 )
+_BEFORE = re.compile(
+    r"(?:(÷|/|divided? by)|[x\u00d7*])\s*(10{1,6}|0\.0{0,5}1)(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE
+)
+"""A factor with the sign before it, and perhaps a unit: `÷10 for %`."""
+
 _BEHIND = re.compile(r"([^\d\s*/x\u00d7÷]+[^\s*/x\u00d7÷]*)\s*([*/x\u00d7÷])\s*([0-9][0-9.,]*)")
 _LINEAR = re.compile(
     r"\(?\s*(?:[a-z_][a-z_ ]*|\[[0-9]+\])\s*(?:([*/x\u00d7÷])\s*([0-9][0-9.,]*(?:e-?[0-9]+)?))?"
@@ -131,6 +136,10 @@ def unit_cell(text: str, decimal: str) -> Quantity | None:
         return Quantity(unit=unit)
     if (scaled := scaled_unit(text, decimal)) is not None:
         return scaled
+    if (prefix := _BEFORE.fullmatch(text)) and (known_unit(prefix[3] or "") or not prefix[3]):
+        unit, step = known_unit(prefix[3] or ""), Fraction(prefix[2])
+        step = 1 / step if prefix[1] else step
+        return Quantity(step, unit) if prefix[1] or step < 1 else Quantity(unit=unit, times=step)
     if suffix := _BEHIND.fullmatch(text):
         unit, value = known_unit(suffix[1]), number(suffix[3], decimal)
         if unit and value is not None and value > 1 and suffix[2] in "/÷":

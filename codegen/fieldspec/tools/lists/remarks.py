@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
 
-from fieldspec.language.model.encoding import is_count, is_signed
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.cells import access, whole
 from fieldspec.tools.lists.naming import snake
-from fieldspec.tools.lists.type_words import Typed
+from fieldspec.tools.lists.type_words import Typed, with_sign
 from fieldspec.tools.lists.value_texts import value_meanings
 
 _SPOKEN_ACCESS = re.compile(
@@ -61,6 +62,5 @@ def _count(text: str, own_type: Typed | None) -> int | None:
     number = whole(text)
     if number is None or kind is None or not is_count(kind.encoding):
         return None
-    is_negative = is_signed(kind.encoding) and kind.high < number <= kind.high - kind.low
-    number -= (kind.high - kind.low + 1) if is_negative else 0
-    return number if kind.low <= number <= kind.high else None
+    count = int(with_sign(Decimal(number), kind))
+    return count if kind.low <= count <= kind.high else None

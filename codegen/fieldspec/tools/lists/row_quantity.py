@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists.brackets import parted
-from fieldspec.tools.lists.cells import bounds, number, whole
+from fieldspec.tools.lists.cells import COMMA, bounds, number, whole
 from fieldspec.tools.lists.quantities import (
     Quantity,
     factor,
@@ -46,11 +46,10 @@ _FRACTION = re.compile(
     r"|(?:hundredths? of an?|hundredths? of|hundertstel|centesimi di|cent[ée]simas de|centi[èe]mes? de))\s+(\S{1,8})",
     re.IGNORECASE,
 )
-_FACTOR_AND_UNIT = re.compile(r"[x\u00d7*]\s*(10{1,5})(?:\s*(\S{1,6}))?", re.IGNORECASE)
-_DIVIDED = re.compile(r"(?:÷|/|divided? by)\s*(10{1,6})(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE)
-_PLACES = re.compile(r"X+\.(X{1,4})\s*(\S{1,6})")
 _EXAMPLE = re.compile(
-    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→)\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*([^\s0-9]{1,5})"
+    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})(?:\s*-\s*([0-9]{1,9}))?"
+    r"(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→)"
+    r"\s*\+?(-?[0-9]+(?:[.,][0-9]+)?)(?:\s*-\s*([0-9]+(?:[.,][0-9]+)?))?\s*([^\s0-9]{1,5})"
 )
 _ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
 _SENTENCES = re.compile(r"[;\n]|[.,](?=\s|$)")
@@ -183,17 +182,21 @@ def open_factor(texts: Mapping[str, str], role: str, decimal: str) -> Fraction |
 
 
 def example(text: str, decimal: str) -> Quantity | None:
-    """The quantity of counts with what they stand for, as in `1 = 0.1 A`; None for anything else, such as a choice."""
+    """The quantity of counts with what they stand for, as in `1 = 0.1 A`, `0 = 0 A; 60-160 = 6-16 A`; None for anything
+    else, such as a choice."""
     pairs = [_EXAMPLE.fullmatch(piece.strip()) for piece in re.split(r"\s+/\s+|[;\n]", text) if piece.strip()]
     scales, units = set(), set()
     for pair in pairs:
-        count, quantity = (number(pair[1], decimal), number(pair[2].lstrip("+"), decimal)) if pair else (None, None)
-        if pair is None or not count or not quantity:
+        if pair is None or (pair[2] is None) is not (pair[4] is None):
             return None
-        scales.add(Fraction(quantity) / Fraction(count))
-        units.add(known_unit(pair[3]))
+        for count_text, quantity_text in ((pair[1], pair[3]), (pair[2], pair[4])) if pair[2] else ((pair[1], pair[3]),):
+            count, quantity = whole(count_text), number(quantity_text, decimal or COMMA)
+            if count is None or quantity is None or bool(count) is not bool(quantity):
+                return None
+            scales |= {Fraction(quantity) / count} if count else set()
+        units.add(known_unit(pair[5]))
     scale = next(iter(scales), Fraction(0))
-    is_power = scale.numerator == 1 and set(str(scale.denominator)[1:]) == {"0"}
+    is_power = scale.numerator == 1 and set(str(scale.denominator)[1:]) <= {"0"}
     return Quantity(scale, max(units)) if len(scales) == len(units) == 1 and is_power and max(units) else None
 
 
@@ -220,22 +223,16 @@ def _described(text: str, decimal: str) -> Quantity | None:
     if (fraction := _FRACTION.search(text)) and (unit := known_unit(fraction[2].strip(".,;)"))):
         return Quantity(Fraction(1, 10 if fraction[1] else 100), unit if unit != "°" else "")
     scaled_pieces = [unit_cell(piece, decimal) for piece in pieces] if len(pieces) > 1 else []
-    powers = [piece for piece in scaled_pieces if piece is not None and known_unit(piece.unit) and _is_power(piece)]
+    known = [piece for piece in scaled_pieces if piece is not None and piece.unit == known_unit(piece.unit)]
+    powers = [piece for piece in known if _is_power(piece)]
     if len(powers) == 1:
-        return replace(powers[0], evidence=text)
+        return powers[0]
     if step := _STEP.search(text):
         quantity = scaled_unit(step[1], decimal)
         return quantity if quantity is not None and known_unit(quantity.unit) else None
     for aside in _ASIDES.findall(text):
-        if (digits := _PLACES.fullmatch(aside)) and (unit := known_unit(digits[2])):
-            return Quantity(Fraction(1, 10 ** len(digits[1])), unit)
-        if (parts := _FACTOR_AND_UNIT.fullmatch(aside)) and (known_unit(parts[2] or "") or not parts[2]):
-            return Quantity(unit=known_unit(parts[2] or ""), times=Fraction(int(parts[1])), evidence=text)
-        if parts := _DIVIDED.fullmatch(aside):
-            unit = known_unit(parts[2] or "")
-            return Quantity(Fraction(1, int(parts[1])), unit) if unit or not parts[2] else None
         quantity = unit_cell(aside, decimal) if typed(aside) is None else None
-        if quantity is not None and known_unit(quantity.unit) and (quantity.times or quantity.scale):
+        if quantity is not None and (quantity.times or quantity.scale) and quantity.unit == known_unit(quantity.unit):
             return quantity
     return None
 

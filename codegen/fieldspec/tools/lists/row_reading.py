@@ -8,28 +8,21 @@ from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass, field, replace
-from fieldspec.language.model.address_space import BIT
-from fieldspec.language.model.fact import LINES, PAGES, Citation
-from fieldspec.language.model.primitives import PRIMITIVES
-from fieldspec.language.model.value import exact_scale
+from fieldspec.language.model.fact import Citation
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.brackets import parted
-from fieldspec.tools.lists.cells import POINT, access, answer, bounds, functions, number, number_in_unit, whole
-from fieldspec.tools.lists.item import MESSAGES, REGISTERS
+from fieldspec.tools.lists.cells import COMMA, POINT, access, answer, bounds, functions, number, number_in_unit, whole
+from fieldspec.tools.lists.item import MESSAGES
 from fieldspec.tools.lists.orders import joined_order, stated_order
 from fieldspec.tools.lists.quantities import known_unit, scaled_unit
 from fieldspec.tools.lists.remarks import special_states, spoken_access
 from fieldspec.tools.lists.row_quantity import FACTORS, described_range, example, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, described_order, typed
-from fieldspec.tools.lists.value_forms import type_parts
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import folded, meaning
 
 REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", "message", "signal"
 """The kinds of rows: exports and some formats also have fields of tables, parameters, and messages with signals."""
-
-OF_THE_MANUAL = ("section", "line", "unverified")
-"""The columns of an export about the place where the manual prints a fact."""
 
 STATES = ("zero", "one")
 """The roles of columns with the meaning of 0, and of 1."""
@@ -38,9 +31,8 @@ _SIGNLESS = ("word", "dword", "uint", "byte", "short", "long", "int", "int16", "
 """The types beside which another column may say that they have a sign, or none."""
 
 _VALUE_WORD = re.compile(r"^values?\s+(?=[-0-9])", re.IGNORECASE)
-_SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile(f"({PAGES}?)([1-9][0-9]{{0,5}})")
 _HIGHEST_COUNT = 0xFFFFFFFF
-_LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
+_LAST_BIT, LAST_SUBINDEX = 63, 0xFF
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,43 +197,6 @@ def _rerouted(texts: Mapping[str, str]) -> Mapping[str, str]:
     return {**{key: cell for key, cell in texts.items() if key != "unit"}, role: text}
 
 
-def exported_row(row: ListRow) -> ListRow:
-    """A row of an export, whose columns need no decision: bounds are counts, and a scale is exact."""
-    text = row.texts.get("scale", "")
-    try:
-        exact = exact_scale(text) if text and not text.startswith("10^") else None
-        scale = Fraction(exact) if exact is not None else None
-    except ValueError:
-        scale = row.factor
-    own_text = text if "/" in text else ""
-    is_parameter = row.length is None and row.texts.get("type") != BIT and row.space not in ("", REGISTERS)
-    kind = PARAMETER if is_parameter else FIELD if "." in row.texts.get("name", "") else REGISTER
-    type_name, form = type_parts(row.texts.get("type", ""))
-    own_type = Typed(type_name) if type_name in PRIMITIVES else None
-    subindices = bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
-    doubts = list(row.doubts)
-    section, line, unverified = (row.texts.get(role, "") for role in OF_THE_MANUAL)
-    cited = None
-    if _SECTION.fullmatch(section) and (place := _LINE.fullmatch(line)):
-        cited = Citation(section, ((int(place[2]), int(place[2])),), place[1] or LINES)
-    else:
-        doubts += _unciting(row)
-    row = replace(row, doubts=tuple(doubts), cited=cited, is_verified=cited is not None and not unverified)
-    row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
-    unit = row.texts.get("unit", "")
-    low, high = (number_in_unit(row.texts.get(role, "")) for role in ("min", "max"))
-    return replace(row, low=low, high=high, scale=scale, scale_text=own_text, unit=known_unit(unit) or unit)
-
-
-def uncited(row: ListRow) -> ListRow:
-    """An exported row without its place in the manual, which becomes a note."""
-    return replace(row, cited=None, is_verified=False, doubts=(*row.doubts, *_unciting(row)))
-
-
-def _unciting(row: ListRow) -> list[str]:
-    return [f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts]
-
-
 def _type(texts: Mapping[str, str], described: Sequence[str], doubts: list[str]) -> Typed | None:
     text = texts.get("type", "")
     own_type = typed(text)
@@ -253,7 +208,10 @@ def _type(texts: Mapping[str, str], described: Sequence[str], doubts: list[str])
         unit = texts.get("unit", "")
         asides = (parted(texts.get(role, ""))[1] for role in roles)
         type_texts = ["" if known_unit(unit) else unit, *asides, *described]
-        own_type = next((word for side in type_texts if (word := typed(side)) is not None and not word.aside), None)
+        words_of_types = [word for side in type_texts if (word := typed(side)) is not None and not word.aside]
+        pieces = (piece for text in described for piece in re.split(r"[,;]", text) if meaning("loose_types", piece))
+        signs = (word for piece in pieces if (word := typed(piece)) is not None and word.kind is Loose.WHOLE)
+        own_type = next(iter((*words_of_types, *signs)), None)
     signed_text = texts.get("signed", "")
     if not signed_text:
         return own_type
@@ -356,7 +314,7 @@ def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[
         return Meanings(states)
     text = texts.get("values", "")
     if text:
-        if example(text, POINT) is not None or bounds(text, POINT) is not None:
+        if example(text, COMMA) is not None or bounds(text, POINT) is not None:
             return of_range or Meanings()
         meanings = value_meanings(text, single=True)
         if meanings is not None:

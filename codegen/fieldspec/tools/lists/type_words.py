@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from decimal import Decimal
 from enum import Enum
 
 from fieldspec.foundation.classes import dataclass, replace
@@ -50,6 +51,10 @@ _ORDER_PHRASE = re.compile(
     re.IGNORECASE,
 )
 _OF_WORDS = re.compile(r"word|[lm]sw", re.IGNORECASE)
+
+
+UNSIGNED = {1: "u16", 2: "u32", 4: "u64"}
+"""The whole numbers without a sign by their words."""
 
 
 class Loose(Enum):
@@ -116,8 +121,14 @@ class Typed:
             return self.name
         if self.kind is Loose.TRUTH:
             return "bool16"
-        letter = "i" if self.signed else "u"
-        return {1: f"{letter}16", 2: f"{letter}32", 4: f"{letter}64"}.get(words or self.size or 1, "bytes")
+        name = UNSIGNED.get(words or self.size or 1, "bytes")
+        return name.replace("u", "i") if self.signed else name
+
+
+def with_sign(number: Decimal, primitive: Primitive) -> Decimal:
+    """A number of a type; that of a signed one may be written as the bits that are sent."""
+    is_wrapped = is_signed(primitive.encoding) and primitive.high < number < 1 << primitive.size * 8
+    return number - (1 << primitive.size * 8) if is_wrapped else number
 
 
 def typed(text: str) -> Typed | None:
