@@ -46,7 +46,7 @@ _BITS = re.compile(
     r"(.*?[0-9a-f]h?)\s*(?:[.:]\s*b?(?:it)?\s?|\s*,?\s*bits?\s*|\[)([0-9]{1,2})(?:\s*(?:-|~|\.\.|to|:)\s*b?([0-9]{1,2}))?\]?",
     re.IGNORECASE,
 )
-_LISTED = re.compile(r"\[([^\[\]]+)\]")
+_IN_BRACKETS = re.compile(r"\[([^\[\]]+)\]")
 _BIT_SPAN = re.compile(r"([0-9a-fx]+h?)[.:]([0-9]{1,2})\s*(?:\.\.+|~|-|\bto\b)\s*\1[.:]([0-9]{1,2})", re.IGNORECASE)
 """The first and the last bit of a register, as two addresses: `5.2-5.4`."""
 
@@ -149,8 +149,8 @@ def address_text(text: str) -> AddressText | None:
 
 def place(text: str) -> Place | None:
     """The address in a cell, None without one. Raises CellError, with the reason, for two readings."""
-    if listed := _LISTED.fullmatch(text.strip()):
-        return place(listed[1])
+    if bracketed := _IN_BRACKETS.fullmatch(text.strip()):
+        return place(bracketed[1])
     whole = address_text(text)
     if whole is not None and not _POINTLESS.fullmatch(text.strip()):
         return Place(whole)

@@ -110,8 +110,8 @@ class Columns:
         return [column for column in range(width) if column not in used and any(row.cell(column) for row in self.rows)]
 
 
-def _used(places: Mapping[str, int], more: Mapping[str, tuple[int, ...]]) -> set[int]:
-    return {*places.values(), *(column for columns in more.values() for column in columns)}
+def _used(places: Mapping[str, int], further: Mapping[str, tuple[int, ...]]) -> set[int]:
+    return {*places.values(), *(column for columns in further.values() for column in columns)}
 
 
 def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tuple[SheetRow, ...]) -> Columns | None:

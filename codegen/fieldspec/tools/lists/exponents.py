@@ -16,7 +16,7 @@ USUAL = (Decimal(-10), Decimal(10))
 """The exponents of SunSpec, whose lists do not say them."""
 
 _POWER = re.compile(r".*(?:\b10\s*(?:\^|\*\*)|pow\w*\(\s*10\s*,|pow\w*10)\W*(?:\w+\[['\"]?)?", re.IGNORECASE)
-"""What is before the name of an exponent: `x * 10^`, `pow(10, sf[`."""
+"""The beginning of a formula, up to the name of an exponent: `x * 10^`, `pow(10, sf[`."""
 
 
 def exponents(rows: Sequence[ListRow], types: Sequence[str]) -> dict[int, int]:

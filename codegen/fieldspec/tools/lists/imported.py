@@ -74,7 +74,7 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
     spaces = {row.row: row.space for row in register_list.read if row.space}
     base, assumption = chosen(register_list.places, register_list.bases, register_list.columns, spaces)
     if register_list.bases == (DECIMAL, HEXADECIMAL):
-        overlaps = {way: sum(map(_overlaps, register_list.rows(way))) for way in register_list.bases}
+        overlaps = {own_base: sum(map(_overlaps, register_list.rows(own_base))) for own_base in register_list.bases}
         if overlaps[DECIMAL] and not overlaps[HEXADECIMAL]:
             evidence = f"as decimal numbers, {overlaps[DECIMAL]} rows overlap the next ones"
             base, assumption = HEXADECIMAL, Assumption("addresses", "hexadecimal", evidence, "--base decimal")

@@ -229,7 +229,7 @@ def _elements(parameter_set: ParameterSet, parameter: Parameter, number: int) ->
 
 
 def _stated(fact: Field | Register | Parameter | Subindex, value: Value | None) -> dict[str, Any]:
-    """What a fact states of its value, of its names, and of where the manual has it."""
+    """The attributes of an item that a fact states: its value, its names, and where the manual has it."""
     return {
         "type": type_text(value) if value else "bytes",
         "value": value,

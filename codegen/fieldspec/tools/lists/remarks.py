@@ -47,7 +47,7 @@ def special_states(texts: Mapping[str, str], own_type: Typed | None, doubts: lis
 def described_states(own_type: Typed | None, described: Sequence[str]) -> Iterator[tuple[int, str, bool]]:
     """The numbers and the names of the states in descriptions, `0x7FFF = no sensor`, and whether they are counts:
     hexadecimal numbers and ends of the type are. Others may be in the unit."""
-    texts = [text for text in described if (several := value_meanings(text)) is None or len(several.members) < 2]
+    texts = [text for text in described if (choice := value_meanings(text)) is None or len(choice.members) < 2]
     pieces = (piece.strip() for text in texts for piece in re.split(r"[;,.](?=\s|$)", text))
     for phrase in filter(None, map(_PHRASE.fullmatch, pieces)):
         count, name = _count(phrase[1], own_type), snake(phrase[2].casefold())

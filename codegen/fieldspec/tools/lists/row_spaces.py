@@ -1,4 +1,4 @@
-"""What titles, functions and numbers of kinds say of the address spaces of rows, and of the order of words."""
+"""The address spaces of rows by titles, functions and numbers of kinds, and the order of words by titles."""
 
 from __future__ import annotations
 
@@ -71,8 +71,8 @@ def _with_numbered_spaces(rows: list[ListRow], assumptions: list[Assumption]) ->
     """The rows, of whose spaces those that are numbers are codes of functions, or the first digits of references: what
     is written shows which."""
     numbers = {row.space for row in rows}
-    written = {row.space for row in rows if row.access in ("rw", "wo")}
-    are_codes, are_digits = bool({"2"} & numbers or {"1", "3"} & written), bool({"0"} & numbers or {"4"} & written)
+    writable = {row.space for row in rows if row.access in ("rw", "wo")}
+    are_codes, are_digits = bool({"2"} & numbers or {"1", "3"} & writable), bool({"0"} & numbers or {"4"} & writable)
     spaces = {code: read.space for code in "1234" if (read := functions(code))} if are_codes else TABLES
     if are_codes is are_digits or not numbers & spaces.keys():
         return rows
