@@ -89,7 +89,7 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "unit": lambda text: not text.isdecimal() or text == "1",
     "type": typed,
     **dict.fromkeys(("readable", "read_only"), lambda text: cells.answer(text) is not None),
-    **dict.fromkeys(("exponent", "count", "stride", "first"), lambda text: cells.whole(text) is not None),
+    **dict.fromkeys(("exponent", "mask", "count", "stride", "first"), lambda text: cells.whole(text) is not None),
     **dict.fromkeys(("word_order", "byte_order"), lambda text: stated_order(text) or cells.answer(text) is not None),
 }
 """What at least a third of the cells of a column must be, so that it has a role that its heading names."""
@@ -109,7 +109,7 @@ NOTED = ("access", "unit", "writable", "word_order", "byte_order", "type")
 """Roles whose heading, if it is a whole word, is enough: cells that do not fit become notes."""
 
 
-_BY_CELLS: dict[str, Callable[[str], object]] = {
+BY_CELLS: dict[str, Callable[[str], object]] = {
     "type": lambda text: typed(text) is not None and not text.isdecimal(),
     "space": cells.space,
     "access": cells.access,
@@ -129,7 +129,7 @@ def role_by_cells(texts: Sequence[str], existing: Set[str], repeats: bool) -> st
     """
     if len(texts) < _FEWEST:
         return ""
-    for role, check in _BY_CELLS.items():
+    for role, check in BY_CELLS.items():
         if role not in existing and all(map(check, texts)) and not all(folded(text) in _NO_SPACES for text in texts):
             return role
     are_words = all(sum(map(str.isalpha, text)) >= _LETTERS for text in texts)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise, product
 
 from fieldspec.foundation.classes import dataclass, field
@@ -12,6 +12,7 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL, address_text
 from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.column_contents import (
+    BY_CELLS,
     NOTED,
     are_exponents,
     are_no_types,
@@ -23,7 +24,6 @@ from fieldspec.tools.lists.column_contents import (
     role_by_cells,
 )
 from fieldspec.tools.lists.object_groups import GROUP
-from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_quantity import FACTORS
 from fieldspec.tools.lists.sheet import SheetRow, column_of, letters
 from fieldspec.tools.lists.type_words import typed
@@ -39,12 +39,6 @@ NOTE = "note"
 FURTHER = ("unit", "type", "values", "space")
 """The roles of which a row has the cell of any column: the first one with a text, and others become notes."""
 
-_FURTHER_CONTENTS: dict[str, Callable[[str], object]] = {
-    "unit": known_unit,
-    "type": typed,
-    "values": value_meanings,
-    "space": cells.space,
-}
 _NOTATIONS = ("hex", "dec", "decimal", "hexadecimal", "index", "offset", "start", "end")
 """Headings of numbers of any kind."""
 
@@ -172,7 +166,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
             places[role] = columns[0]
             columns = columns[1:]
         if role in FURTHER:
-            columns = [column for column in columns if all(map(_FURTHER_CONTENTS[role], texts[column]))]
+            columns = [column for column in columns if all(map(BY_CELLS[role], texts[column]))]
         if role in (*FURTHER, "address", "name", NOTE) and columns and not (role == "address" and "address" in names):
             further[role] = tuple(columns)
     codes = _ranked([heads[column] for column in further.get("address", ())], words("codes")["printed_name"], set())

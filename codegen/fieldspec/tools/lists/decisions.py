@@ -21,6 +21,7 @@ from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.type_words import UNSIGNED, Typed
 from fieldspec.tools.lists.words import folded
 
+_STATE_NUMBER = re.compile("0|-1|255|-?99+")
 _FEWEST = 3
 """The rows that show what addresses count."""
 
@@ -92,13 +93,14 @@ def decided(
 
 
 def _with_states(row: ListRow) -> ListRow:
-    """A row with the states that its descriptions say in counts, of a quantity, or beyond its bounds."""
+    """A row with the states that its descriptions say in counts, beyond its bounds, or by a number that no quantity in
+    counts has: 0, -1, 255 or nines."""
     is_quantity = bool(row.unit) and row.scale in (None, 1) and not row.offset
     own_type = row.type or Typed("i16" if row.low is not None and row.low < 0 else "u16")
     states = tuple(
         (str(count), name)
         for count, name, is_certain in described_states(own_type, row.described)
-        if is_certain or is_quantity or _is_beyond(row, count)
+        if is_certain or (is_quantity and _STATE_NUMBER.fullmatch(str(count))) or _is_beyond(row, count)
     )
     return replace(row, special=states) if states and not row.special else row
 

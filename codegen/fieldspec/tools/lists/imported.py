@@ -73,7 +73,9 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
         raise ListError("; ".join(f"leaves open: {undecided.text()}" for undecided in register_list.open))
     spaces = {row.row: row.space for row in register_list.read if row.space}
     base, assumption = chosen(register_list.places, register_list.bases, register_list.columns, spaces)
-    if register_list.bases == (DECIMAL, HEXADECIMAL):
+    digits = [row_place.first.digits for _, row_place in register_list.places.rows]
+    are_padded = len({*map(len, digits)}) == 1 and any(text.startswith("0") for text in digits)
+    if are_padded and register_list.bases == (DECIMAL, HEXADECIMAL):
         overlaps = {own_base: sum(map(_overlaps, register_list.rows(own_base))) for own_base in register_list.bases}
         if overlaps[DECIMAL] and not overlaps[HEXADECIMAL]:
             evidence = f"as decimal numbers, {overlaps[DECIMAL]} rows overlap the next ones"

@@ -22,6 +22,10 @@ _NO_ADDRESSES = ("index", "offset", "dec", "decimal", "start", "registers")
 """Keys that only are addresses where no others are."""
 
 
+_STATIONS = ("slave", "unit", "device", "node", "station", "server", "host", "ip", "mac", "i2c", "spi")
+"""Words before `address` for what is not a register: the address of a station, of a network or of a chip."""
+
+
 class _Group(NamedTuple):
     """A group of objects under a key, each with the facts outside it that hold for it; `value` is the group itself."""
 
@@ -135,7 +139,7 @@ def _has_compound_address(item: dict[str, Any]) -> bool:
     """Whether the last word of a key of an object is one for addresses, as in `busAddress`."""
     last_words = ((snake(str(key)).rpartition("_"), value) for key, value in item.items())
     return any(
-        first and _has_address({last: value}) and address_text(str(value)) is not None
+        first and first not in _STATIONS and _has_address({last: value}) and address_text(str(value)) is not None
         for (first, _, last), value in last_words
     )
 

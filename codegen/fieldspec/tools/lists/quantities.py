@@ -169,6 +169,12 @@ def scaled_unit(text: str, decimal: str) -> Quantity | None:
     return Quantity(scale, inner.unit)
 
 
+def exact_decimal(number: Fraction) -> Decimal | None:
+    """A number as a decimal one; None if it has none."""
+    result = Decimal(number.numerator) / number.denominator
+    return result if Fraction(result) == number else None
+
+
 def formula(text: str, decimal: str) -> Quantity | None:
     """The scale and the offset of a linear formula, such as `x/10 - 40`; None for any other."""
     before, _, suffix = unicodedata.normalize("NFKC", text).partition("=")
@@ -181,8 +187,8 @@ def formula(text: str, decimal: str) -> Quantity | None:
             return None
         scale = 1 / Fraction(value) if shifted[3] in ("/", "÷") else Fraction(value)
         offset = Fraction(added) * scale * (-1 if shifted[1] == "-" else 1)
-        exact = Decimal(offset.numerator) / offset.denominator
-        return Quantity(scale, "", exact) if Fraction(exact) == offset else None
+        exact = exact_decimal(offset)
+        return None if exact is None else Quantity(scale, "", exact)
     linear = _LINEAR.fullmatch(right)
     if linear is None or not (linear[1] or linear[3]):
         return None

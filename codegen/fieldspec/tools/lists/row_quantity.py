@@ -12,6 +12,7 @@ from fieldspec.tools.lists.brackets import parted
 from fieldspec.tools.lists.cells import COMMA, bounds, number, whole
 from fieldspec.tools.lists.quantities import (
     Quantity,
+    exact_decimal,
     factor,
     formula,
     known_unit,
@@ -97,13 +98,11 @@ def quantity_of(
         doubts.append(f"Offset in the list: {texts['value_offset']}.")
     if texts.get("formula"):
         linear = formula(texts["formula"], decimal)
-        if linear is None and folded(texts["formula"]) in _NO_FORMULAS:
-            pass
-        elif linear is None:
-            doubts.append(f"Formula in the list: {texts['formula']}.")
-        else:
+        if linear is not None:
             stated.append((linear.scale or Fraction(1), texts["formula"]))
             offset = offset or linear.offset
+        elif folded(texts["formula"]) not in _NO_FORMULAS:
+            doubts.append(f"Formula in the list: {texts['formula']}.")
     line = _between_bounds(texts, decimal)
     if line is not None:
         stated.append((line.scale or Fraction(1), "raw and scaled bounds"))
@@ -114,14 +113,7 @@ def quantity_of(
             for role in SCALED_BOUNDS
             if role in texts
         ]
-    powers = list(_powers(texts, doubts))
-    if "places" in texts and any(role in texts for role in FACTORS):
-        display = [
-            cell for _, cell in powers if cell == texts["places"]
-        ]  # beside a scale, it says how a value is shown
-        powers = [power for power in powers if power[1] not in display]
-        doubts += [f"Places in the list: {cell}." for cell in display]
-    stated += powers
+    stated += _powers(texts, doubts)
     for _, note in notes:
         weight = _WEIGHT.fullmatch(note.strip())
         if weight and known_unit(weight[1]):
@@ -257,11 +249,12 @@ def decimal_places(text: str) -> int | None:
 
 
 def _powers(texts: Mapping[str, str], doubts: list[str]) -> Iterator[tuple[Fraction, str]]:
-    """The scales of a number of places, and of a power of ten."""
-    for role, sign in (("places", -1), ("exponent", 1)):
+    """The scales of a number of places, and of a power of ten. Beside a scale, places say how a value is shown."""
+    is_display = not texts.keys().isdisjoint(FACTORS)
+    for role, sign, highest in (("places", -1, 0), ("exponent", 1, _HIGHEST_EXPONENT)):
         text = texts.get(role, "")
         power = decimal_places(text) if role == "places" else whole(text)
-        if power is not None and -_HIGHEST_EXPONENT <= sign * power <= (_HIGHEST_EXPONENT if role == "exponent" else 0):
+        if power is not None and -_HIGHEST_EXPONENT <= sign * power <= highest and not (is_display and sign < 0):
             yield Fraction(10) ** (sign * power), text
         elif text:
             doubts.append(f"{role.capitalize()} in the list: {text}.")
@@ -274,9 +267,8 @@ def _between_bounds(texts: Mapping[str, str], decimal: str) -> Quantity | None:
     if raw_low is None or raw_high is None or low is None or high is None or raw_low >= raw_high or low >= high:
         return None
     scale = Fraction(high - low) / Fraction(raw_high - raw_low)
-    offset = Fraction(low) - Fraction(raw_low) * scale
-    places = Decimal(offset.numerator) / Decimal(offset.denominator)
-    return Quantity(scale, "", places) if Fraction(places) == offset else None
+    offset = exact_decimal(Fraction(low) - Fraction(raw_low) * scale)
+    return None if offset is None else Quantity(scale, "", offset)
 
 
 def _unit_of_texts(texts: Mapping[str, str], names: Sequence[str], decimal: str) -> Quantity | None:

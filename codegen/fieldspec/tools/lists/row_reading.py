@@ -18,7 +18,7 @@ from fieldspec.tools.lists.quantities import known_unit, scaled_unit
 from fieldspec.tools.lists.remarks import special_states, spoken_access
 from fieldspec.tools.lists.row_quantity import FACTORS, described_range, example, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, described_order, typed
-from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
+from fieldspec.tools.lists.value_texts import Meanings, bit_names, mask_bits, value_meanings
 from fieldspec.tools.lists.words import folded, meaning
 
 REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", "message", "signal"
@@ -32,6 +32,7 @@ _SIGNLESS = ("word", "dword", "uint", "byte", "short", "long", "int", "int16", "
 
 _VALUE_WORD = re.compile(r"^values?\s+(?=[-0-9])", re.IGNORECASE)
 _HIGHEST_COUNT = 0xFFFFFFFF
+_WORD_BITS = 16
 _LAST_BIT, LAST_SUBINDEX = 63, 0xFF
 
 
@@ -168,7 +169,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         stride=max(whole(texts.get("stride", "")) or 0, 0),
         texts=texts,
         space=_space(texts, doubts),
-        bits=bits(texts.get("bit", "")),
+        bits=_bits_of_mask(texts, doubts) if "mask" in texts else bits(texts.get("bit", "")),
         scale=quantity.scale,
         factor=quantity.times or next((open_factor(texts, role, decimal) for role in FACTORS if texts.get(role)), None),
         is_times=quantity.times is not None,
@@ -272,6 +273,14 @@ def _space(texts: Mapping[str, str], doubts: list[str]) -> str:
     if codes.space != stated:
         doubts.append(f"The list says {text}, and the function codes {code_text}.")
     return stated
+
+
+def _bits_of_mask(texts: Mapping[str, str], doubts: list[str]) -> tuple[int, int] | None:
+    """The bits of a mask, but not for one of a whole number of words; a mask with gaps is a doubt."""
+    place = mask_bits(whole(texts["mask"]) or 0)
+    if place is None:
+        doubts.append(f"Mask in the list: {texts['mask']}.")
+    return None if place is None or (not place[0] and (place[1] + 1) % _WORD_BITS == 0) else place
 
 
 def bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:

@@ -129,3 +129,9 @@ def _named_bits(text: str, name: str) -> NamedBits:
     if len(ends) == 1:
         return NamedBits(*ends[0], name)
     return NamedBits(min(low for low, _ in ends), max(high for _, high in ends), name, text.replace(",", ", "))
+
+
+def mask_bits(mask: int) -> tuple[int, int] | None:
+    """The lowest and the highest bit of a mask of neighbouring bits; None for any other mask."""
+    low, high = (mask & -mask).bit_length() - 1, mask.bit_length() - 1
+    return (low, high) if 0 < mask < 1 << 64 and mask >> low == (1 << (high - low + 1)) - 1 else None

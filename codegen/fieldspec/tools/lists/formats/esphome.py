@@ -14,14 +14,15 @@ from fieldspec.foundation.classes import replace
 from fieldspec.language.reading.nodes import Mapping, Node
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.entries import SPACES
-from fieldspec.tools.lists.formats.format_rows import FormatRows, exact_decimal, mask_bits
+from fieldspec.tools.lists.formats.format_rows import FormatRows
 from fieldspec.tools.lists.formats.yaml_items import cells_of, items, line_of, number_of, text_of, whole_of
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.listing import Listing
+from fieldspec.tools.lists.quantities import exact_decimal
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import CellError, Sheet
 from fieldspec.tools.lists.type_words import Typed, typed
-from fieldspec.tools.lists.value_texts import Meanings
+from fieldspec.tools.lists.value_texts import Meanings, mask_bits
 
 _ROLES = {
     "address": "address",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 from decimal import Decimal
-from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.foundation.spreadsheet import clean
@@ -121,15 +120,3 @@ def decimal(text: str) -> Decimal | None:
     except ArithmeticError:
         return None
     return number if number.is_finite() and abs(number.adjusted()) < 40 else None
-
-
-def mask_bits(mask: int) -> tuple[int, int] | None:
-    """The lowest and the highest bit of a mask of neighbouring bits; None for any other mask."""
-    low, high = (mask & -mask).bit_length() - 1, mask.bit_length() - 1
-    return (low, high) if 0 < mask < 1 << 64 and mask >> low == (1 << (high - low + 1)) - 1 else None
-
-
-def exact_decimal(number: Fraction) -> Decimal | None:
-    """A number as a decimal one; None if it has none."""
-    result = Decimal(number.numerator) / number.denominator
-    return result if Fraction(result) == number else None

@@ -15,7 +15,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar
 from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.cells import functions
-from fieldspec.tools.lists.formats.format_rows import FormatRows, exact_decimal, mask_bits
+from fieldspec.tools.lists.formats.format_rows import FormatRows
 from fieldspec.tools.lists.formats.yaml_items import (
     cells_of,
     items,
@@ -27,10 +27,11 @@ from fieldspec.tools.lists.formats.yaml_items import (
 )
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.listing import Listing
+from fieldspec.tools.lists.quantities import exact_decimal
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import CellError, Sheet
 from fieldspec.tools.lists.type_words import Typed
-from fieldspec.tools.lists.value_texts import Meanings, NamedBits
+from fieldspec.tools.lists.value_texts import Meanings, NamedBits, mask_bits
 
 _ROLES = {
     "registers": "address",
