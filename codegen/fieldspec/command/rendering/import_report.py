@@ -82,7 +82,7 @@ def _columns(result: Imported) -> Iterator[str]:
     used_columns = [(role, columns.heading(role)) for role in columns.places if role not in (NOTE, *_IDLE)]
     used_columns += [
         (role, columns.heading_at(place))
-        for role in ("address", "name", "values", *FURTHER)
+        for role in ("address", "name", *FURTHER)
         for place in columns.more.get(role, ())
     ]
     yield "columns used: " + ", ".join(

@@ -46,6 +46,10 @@ _BITS = re.compile(
     r"(.*?[0-9a-f]h?)\s*(?:[.:]\s*b?(?:it)?\s?|\s*,?\s*bits?\s*|\[)([0-9]{1,2})(?:\s*(?:-|~|\.\.|to|:)\s*b?([0-9]{1,2}))?\]?",
     re.IGNORECASE,
 )
+_IN_BRACKETS = re.compile(r"\[([^\[\]]+)\]")
+_BIT_SPAN = re.compile(r"([0-9a-fx]+h?)[.:]([0-9]{1,2})\s*(?:\.\.+|~|-|\bto\b)\s*\1[.:]([0-9]{1,2})", re.IGNORECASE)
+"""The first and the last bit of a register, as two addresses: `5.2-5.4`."""
+
 _BITS_BY_WIDTH = re.compile(r"[0-9a-fx]+h?:[0-9]+:[0-9]+", re.IGNORECASE)
 """The address, the first bit and the number of bits."""
 
@@ -145,6 +149,8 @@ def address_text(text: str) -> AddressText | None:
 
 def place(text: str) -> Place | None:
     """The address in a cell, None without one. Raises CellError, with the reason, for two readings."""
+    if bracketed := _IN_BRACKETS.fullmatch(text.strip()):
+        return place(bracketed[1])
     whole = address_text(text)
     if whole is not None and not _POINTLESS.fullmatch(text.strip()):
         return Place(whole)
@@ -165,6 +171,8 @@ def place(text: str) -> Place | None:
         return Place(address, bits=(0, 7) if half[half.lastindex or 2][0] in "lL" else (8, 15))
     if _NUMBERED_BYTE.fullmatch(normalized):
         raise CellError("is one of two bytes, and a number does not say which; write `high byte` or `low byte`")
+    if (bit_span := _BIT_SPAN.fullmatch(normalized)) and (address := address_text(bit_span[1])):
+        return Place(address, bits=(int(bit_span[2]), int(bit_span[3])))
     for separator in (_SPAN, _SEVERAL):
         ends = [address_text(part) for part in separator.split(normalized)]
         addresses = [end for end in ends if end is not None]

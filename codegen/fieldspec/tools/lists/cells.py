@@ -33,7 +33,7 @@ _THOUSANDS = re.compile(r"[-+]?[0-9]{1,3}([,.' ])[0-9]{3}(?:\1[0-9]{3})*")
 _COMMA = re.compile(r"(?<![0-9,.])[-+]?[0-9]+,(?:[0-9]{1,2}|0[0-9]{2,}|[0-9]{4,})(?![0-9,])")
 _SMALL_COMMA = re.compile(r"(?<![0-9,.])[-+]?0,[0-9]+(?![0-9,])")
 _POINTED = re.compile(r"(?<![0-9,.])[-+]?[0-9]+\.[0-9]+(?![0-9.,])")
-_PIECES = re.compile(r"[\s/|-]+")
+_PIECES, _PARTS = re.compile(r"[\s/|-]+"), re.compile(r"[\s_]+")
 _CODE = re.compile(r"(?:fc|f|func(?:tion)?|r|w|[:=]|\s)*(?:0x)?0*([0-9a-f]{1,2})h?", re.IGNORECASE)
 _WORDS_BEHIND = re.compile(r"(?<=[0-9a-fh])\s*(?:[-\u2013:]\s*|\s)(?:read|write|preset|force)\b[^0-9]*$", re.IGNORECASE)
 """The words after the code of a function that describe it."""
@@ -92,7 +92,8 @@ def functions(text: str) -> Functions | None:
 def space(text: str) -> str:
     """The address space that a text names, perhaps in two languages or notations: `线圈 COIL`, `Coil (0x)`."""
     bare = without_brackets(text)
-    for stated in (text, bare, _VERB.sub("", folded(bare), count=1), bare.partition("_")[2]):
+    ending = " ".join(_PARTS.split(bare.strip())[-2:])
+    for stated in (text, bare, _VERB.sub("", folded(bare), count=1), bare.partition("_")[2], ending):
         if meaning("spaces", stated):
             return meaning("spaces", stated)
     space_names = {meaning("spaces", piece) for piece in _PIECES.split(bare.strip())} or {""}

@@ -14,7 +14,7 @@ from fieldspec.tools.lists.row_quantity import COUNT, decimal_places, example
 from fieldspec.tools.lists.sheet import CellError, SheetRow
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import bit_names, value_meanings
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import folded, meaning
 
 _NO_SPACES = ("input", "inputs", "i", "register", "registers", "contact", "discrete", "c", "h")
 """Names of address spaces that also are directions, and types."""
@@ -64,6 +64,11 @@ def is_place(text: str) -> bool:
         return True
 
 
+def _is_word_of_other(text: str) -> bool:
+    """Whether a text is one of a column of functions, accesses, or directions of factors."""
+    return cells.functions(text) is not None or bool(cells.access(text) or meaning("operators", text))
+
+
 _CONTENTS: dict[str, Callable[[str], object]] = {
     "address": is_place,
     "words": lambda text: re.fullmatch(
@@ -72,24 +77,20 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
     "bits": lambda text: bit_names(text) is not None,
     "last": address_text,
     "access": cells.access,
-    "readable": lambda text: cells.answer(text) is not None,
-    "read_only": lambda text: cells.answer(text) is not None,
     "writable": lambda text: cells.answer(text) is not None or cells.access(text),
     "function": cells.functions,
     "function_write": cells.functions,
     "places": lambda text: decimal_places(text) is not None,
-    "exponent": lambda text: cells.whole(text) is not None,
     "value_offset": lambda text: cells.number(text, cells.COMMA) is not None,
-    "count": lambda text: cells.whole(text) is not None,
-    "stride": lambda text: cells.whole(text) is not None,
-    "first": lambda text: cells.whole(text) is not None,
     "bit": lambda text: re.search(r"[0-9]", text),
     "name": lambda text: any(map(str.isalpha, text)),
-    "label": lambda text: any(map(str.isalpha, text)) and cells.functions(text) is None and not cells.access(text),
+    "label": lambda text: (any(map(str.isalpha, text)) or value_meanings(text)) and not _is_word_of_other(text),
+    "operator": lambda text: meaning("operators", text),
     "unit": lambda text: not text.isdecimal() or text == "1",
     "type": typed,
-    "word_order": lambda text: stated_order(text) or cells.answer(text) is not None,
-    "byte_order": lambda text: stated_order(text) or cells.answer(text) is not None,
+    **dict.fromkeys(("readable", "read_only"), lambda text: cells.answer(text) is not None),
+    **dict.fromkeys(("exponent", "mask", "count", "stride", "first"), lambda text: cells.whole(text) is not None),
+    **dict.fromkeys(("word_order", "byte_order"), lambda text: stated_order(text) or cells.answer(text) is not None),
 }
 """What at least a third of the cells of a column must be, so that it has a role that its heading names."""
 
@@ -108,12 +109,12 @@ NOTED = ("access", "unit", "writable", "word_order", "byte_order", "type")
 """Roles whose heading, if it is a whole word, is enough: cells that do not fit become notes."""
 
 
-_BY_CELLS: dict[str, Callable[[str], object]] = {
+BY_CELLS: dict[str, Callable[[str], object]] = {
     "type": lambda text: typed(text) is not None and not text.isdecimal(),
     "space": cells.space,
     "access": cells.access,
     "unit": known_unit,
-    "values": lambda text: value_meanings(text) is not None and example(text, cells.POINT) is None,
+    "values": lambda text: value_meanings(text) is not None and example(text, cells.COMMA) is None,
     "formula": lambda text: COUNT.match(text) and formula(text, cells.POINT) is not None,
 }
 """The roles that the cells of a column show without a heading, where all of them fit."""
@@ -128,7 +129,7 @@ def role_by_cells(texts: Sequence[str], existing: Set[str], repeats: bool) -> st
     """
     if len(texts) < _FEWEST:
         return ""
-    for role, check in _BY_CELLS.items():
+    for role, check in BY_CELLS.items():
         if role not in existing and all(map(check, texts)) and not all(folded(text) in _NO_SPACES for text in texts):
             return role
     are_words = all(sum(map(str.isalpha, text)) >= _LETTERS for text in texts)

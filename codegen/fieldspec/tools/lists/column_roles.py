@@ -12,6 +12,7 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL, address_text
 from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.column_contents import (
+    BY_CELLS,
     NOTED,
     are_exponents,
     are_no_types,
@@ -23,9 +24,8 @@ from fieldspec.tools.lists.column_contents import (
     role_by_cells,
 )
 from fieldspec.tools.lists.object_groups import GROUP
-from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_quantity import FACTORS
-from fieldspec.tools.lists.sheet import SheetRow, letters
+from fieldspec.tools.lists.sheet import SheetRow, column_of, letters
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import value_meanings
 from fieldspec.tools.lists.words import folded, meaning, whole_words, words
@@ -36,7 +36,7 @@ _SHORT_WORDS = ((r"^reg(?![a-z])", "register"), (r"\badr\b", "address"), (r"\bfc
 _BETWEEN = re.compile(r"\s*[/|\n]\s*")
 _LONGEST = 200
 NOTE = "note"
-FURTHER = ("unit",)
+FURTHER = ("unit", "type", "values", "space")
 """The roles of which a row has the cell of any column: the first one with a text, and others become notes."""
 
 _NOTATIONS = ("hex", "dec", "decimal", "hexadecimal", "index", "offset", "start", "end")
@@ -99,9 +99,13 @@ class Columns:
 
     def unused(self) -> list[int]:
         """The columns without a role that have cells."""
-        used = {*self.places.values(), *(column for columns in self.more.values() for column in columns)}
+        used = _used(self.places, self.more)
         width = max((len(row.cells) for row in self.rows), default=0)
         return [column for column in range(width) if column not in used and any(row.cell(column) for row in self.rows)]
+
+
+def _used(places: Mapping[str, int], further: Mapping[str, tuple[int, ...]]) -> set[int]:
+    return {*places.values(), *(column for columns in further.values() for column in columns)}
 
 
 def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tuple[SheetRow, ...]) -> Columns | None:
@@ -115,19 +119,20 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         places[role] = column
     heads = [tuple(dict.fromkeys(map(folded, _variants(texts)))) for texts in parts]
     sample = rows[:LOOKED_AT]
-    further: dict[str, tuple[int, ...]] = {}
+    byte_columns = _byte_columns(heads, {*places.values()})
+    further: dict[str, tuple[int, ...]] = {"bytes of addresses": byte_columns} if byte_columns else {}
     for role, role_words in words("headings").items():
-        used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
+        used_columns = _used(places, further)
         fits = _ranked(heads, role_words, used_columns)
         if role == "type":
             fits = [column for column in fits if not are_no_types(sample, column)]
         if role in ("word_order", "byte_order"):
             fits = [column for column in fits if not are_ranks(sample, column)]
-        is_fallback = not fits
-        if is_fallback:
-            fits = _ranked(heads, words("fallbacks").get(role, ()), used_columns)
+        own_fits = set(fits)
+        if role in FURTHER or not fits:
+            fits += _ranked(heads, words("fallbacks").get(role, ()), {*used_columns, *fits})
         texts = {column: [text for row in sample if (text := row.cell(column))] for column in fits}
-        columns = [column for column in fits if has_role(role, texts[column], is_fallback)]
+        columns = [column for column in fits if has_role(role, texts[column], column not in own_fits)]
         if role in NOTED and not columns:
             columns = [
                 column
@@ -160,8 +165,8 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         if role not in places and columns:
             places[role] = columns[0]
             columns = columns[1:]
-        if role == "unit":
-            columns = [column for column in columns if all(map(known_unit, texts[column]))]
+        if role in FURTHER:
+            columns = [column for column in columns if all(map(BY_CELLS[role], texts[column]))]
         if role in (*FURTHER, "address", "name", NOTE) and columns and not (role == "address" and "address" in names):
             further[role] = tuple(columns)
     codes = _ranked([heads[column] for column in further.get("address", ())], words("codes")["printed_name"], set())
@@ -171,7 +176,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
     if "value_offset" in places and "address" in places and counts_on(sample, places["value_offset"]):
         further["address"] = (*further.get("address", ()), places.pop("value_offset"))
     if "name" not in places:
-        used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
+        used_columns = _used(places, further)
         labels = [
             column
             for column in _ranked(heads, words("headings")["address"], used_columns)
@@ -180,19 +185,18 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         labels += _ranked(heads, words("headings")["label"], {*used_columns, *labels})
         if labels := [column for column in labels if not repeats(sample, column)] or labels[:1]:
             places["name"] = labels[0]
-    if "value" in places and not {"range", "values"} & {*places}:
+    if "value" in places and "values" not in places:
         filled = [text for row in sample if (text := row.cell(places["value"]))]
         if 0 < len(filled) <= 3 * sum(bool(cells.bounds(text) or value_meanings(text)) for text in filled):
-            places["range"] = places.pop("value")
+            places["values" if "range" in places else "range"] = places.pop("value")
         elif filled and "type" not in places and all(map(typed, filled)):
             places["type"] = places.pop("value")
     of_heading = cells.space(headings[places["address"]]) if "address" in places else ""
     if of_heading and "address" in further:
         column_spaces = {column: cells.space(headings[column]) for column in further["address"]}
         further["address"] = tuple(column for column, other in column_spaces.items() if other in ("", of_heading))
-    if byte_columns := _byte_columns(heads, {*places.values()}):
+    if byte_columns:
         rows, headings = _with_addresses_of_bytes(rows, headings, byte_columns)
-        further |= {"bytes of addresses": byte_columns}
         if "address" in places:
             further["address"] = (*further.get("address", ()), len(headings) - 1)
         places.setdefault("address", len(headings) - 1)
@@ -217,7 +221,7 @@ def _places_by_cells(
     further: Mapping[str, tuple[int, ...]],
 ) -> dict[str, int]:
     """The columns of roles that no heading names, where all their cells show the role."""
-    used_columns = {*places.values(), *(column for columns in further.values() for column in columns)}
+    used_columns = _used(places, further)
     result: dict[str, int] = {}
     for column in range(max((len(row.cells) for row in rows), default=0)):
         texts = [text for row in rows if (text := row.cell(column))]
@@ -358,10 +362,7 @@ def column_number(text: str, width: int) -> int | None:
     if re.fullmatch("[0-9]{1,4}", text) and 1 <= int(text) <= width:
         return int(text) - 1
     if re.fullmatch("[A-Za-z]{1,2}", text):
-        number = 0
-        for letter in text.upper():
-            number = number * 26 + ord(letter) - ord("A") + 1
-        return number - 1 if number <= width else None
+        return column_of(text) - 1 if column_of(text) <= width else None
     return None
 
 

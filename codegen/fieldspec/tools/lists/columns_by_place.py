@@ -12,7 +12,8 @@ _NUMBERED = re.compile(
     re.IGNORECASE,
 )
 _SPACED = re.compile(
-    r"\s*(0x[0-9a-f]{1,4}|[0-9]{1,6}) (?!.*  )([^\W\d_][^\t;|,]*?)(?: \((R/?W?|W|[RW]O)\))?", re.IGNORECASE
+    r"\s*(0x[0-9a-f]{1,4}|[0-9]{1,6}(?:-[0-9]{1,6})?) (?!.*  )([^\W\d_][^\t;|,]*?)(?: \((R/?W?|W|[RW]O)\))?",
+    re.IGNORECASE,
 )
 """A line with only a blank between the address and the name."""
 

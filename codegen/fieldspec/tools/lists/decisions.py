@@ -14,11 +14,14 @@ from fieldspec.tools.lists.column_roles import Columns
 from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
 from fieldspec.tools.lists.numbering import Placed, wire_number
 from fieldspec.tools.lists.quantities import known_unit
+from fieldspec.tools.lists.remarks import described_states
 from fieldspec.tools.lists.row_quantity import FACTORS, unread_scales
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import ListError
+from fieldspec.tools.lists.type_words import UNSIGNED, Typed
 from fieldspec.tools.lists.words import folded
 
+_STATE_NUMBER = re.compile("0|-1|255|-?99+")
 _FEWEST = 3
 """The rows that show what addresses count."""
 
@@ -86,7 +89,26 @@ def decided(
     assumptions += [
         decision for decision in (length_assumption, gain_assumption, bounds_assumption) if decision is not None
     ]
-    return [replace(row, in_unit=bounds == UNIT and row.scale not in (None, 1)) for row in decided]
+    return [_with_states(replace(row, in_unit=bounds == UNIT and row.scale not in (None, 1))) for row in decided]
+
+
+def _with_states(row: ListRow) -> ListRow:
+    """A row with the states that its descriptions say in counts, beyond its bounds, or by a number that no quantity in
+    counts has: 0, -1, 255 or nines."""
+    is_quantity = bool(row.unit) and row.scale in (None, 1) and not row.offset
+    own_type = row.type or Typed("i16" if row.low is not None and row.low < 0 else "u16")
+    states = tuple(
+        (str(count), name)
+        for count, name, is_certain in described_states(own_type, row.described)
+        if is_certain or (is_quantity and _STATE_NUMBER.fullmatch(str(count))) or _is_beyond(row, count)
+    )
+    return replace(row, special=states) if states and not row.special else row
+
+
+def _is_beyond(row: ListRow, count: int) -> bool:
+    """Whether a count is beyond the bounds of a row, which are counts."""
+    has_bounds = row.low is not None and row.high is not None and not row.in_unit
+    return has_bounds and not (row.low or 0) <= count <= (row.high or 0)
 
 
 def _with_exponents_apart(rows: Sequence[ListRow]) -> list[ListRow]:
@@ -181,7 +203,7 @@ def _coarse(rows: Sequence[ListRow]) -> int:
 def _measured(row: ListRow, factor: Fraction | None) -> Measured | None:
     if factor is None or row.low is None or row.high is None:
         return None
-    type_name = row.type.of_words(row.words) if row.type else {1: "u16", 2: "u32"}.get(row.words or 1, "u64")
+    type_name = row.type.of_words(row.words) if row.type else UNSIGNED.get(row.words or 1, "u64")
     if row.type is None and row.low < 0:
         type_name = type_name.replace("u", "i")
     return Measured(row.row, factor, row.low, row.high, type_name)

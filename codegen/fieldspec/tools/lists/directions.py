@@ -11,32 +11,13 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Assumption
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import folded, words
 
 MULTIPLY, DIVIDE = "multiply", "divide"
 COUNTS, UNIT = "counts", "unit"
+_OPTION = "--gain multiply or --gain divide"
 LENGTHS = {"words": 1, "bytes": 2, "bits": 16}
 """The units of lengths, with their number in a word."""
-
-_LENGTH_WORDS = {
-    "bytes": ("byte", "octet", "字节", "位元組", "バイト"),
-    "bits": ("bit", "位数", "ビット"),
-    "words": (
-        "word",
-        "regist",
-        "wort",
-        "mots",
-        "palabras",
-        "parole",
-        "字数",
-        "字數",
-        "字长",
-        "ワード",
-        "レジスタ",
-        "寄存器",
-        "暫存器",
-    ),
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,27 +58,37 @@ def gain_direction(
     other_factors = [factor for factor in factors if factor != 1]
     if not other_factors:
         return MULTIPLY, None
-    proofs = Counter(proof for entry in measured for proof in _proofs(entry, role == "gain"))
-    option = "--gain multiply or --gain divide"
-    for direction, other in ((DIVIDE, MULTIPLY), (MULTIPLY, DIVIDE)):
-        if proofs[direction] and not proofs[other]:
-            evidence = f"the bounds of {proofs[direction]} rows are whole counts that their types have in no other way"
-            return direction, Assumption(heading, _direction(direction), evidence, option)
-    if fraction:
-        return MULTIPLY, Assumption(heading, _direction(MULTIPLY), f"`{fraction}` in the same column", option)
-    if coarse and not proofs:
-        evidence = f"{coarse} rows would count in steps of ten units or more that are measured in less"
-        return DIVIDE, Assumption(heading, _direction(DIVIDE), evidence, option)
+    proofs, (direction, evidence) = _proved(measured, role == "gain", coarse, fraction)
+    if direction:
+        return direction, Assumption(heading, _direction(direction), evidence, _OPTION)
     if proofs[DIVIDE] or (role == "gain" and min(other_factors) < 1 < max(other_factors)):
-        return "", Assumption(heading, "open whether counts are multiplied or divided", "the evidence is equal", option)
+        return "", Assumption(
+            heading, "open whether counts are multiplied or divided", "the evidence is equal", _OPTION
+        )
     if role == "gain":
         direction = DIVIDE if min(other_factors) > 1 else MULTIPLY
         evidence = (
             "all factors are 1 or more, as of counts for a unit" if direction == DIVIDE else "all factors are 1 or less"
         )
-        return direction, Assumption(heading, _direction(direction), evidence, option)
+        return direction, Assumption(heading, _direction(direction), evidence, _OPTION)
     evidence = "the heading; no bounds prove it" if max(other_factors) > 1 else "all factors are 1 or less"
-    return MULTIPLY, Assumption(heading, _direction(MULTIPLY), evidence, option)
+    return MULTIPLY, Assumption(heading, _direction(MULTIPLY), evidence, _OPTION)
+
+
+def _proved(
+    measured: Sequence[Measured], is_gain: bool, coarse: int, fraction: str = ""
+) -> tuple[Counter[str], tuple[str, str]]:
+    """How many rows prove each direction, and the direction that is proved, with the evidence; empty for none."""
+    proofs = Counter(proof for entry in measured for proof in _proofs(entry, is_gain))
+    for direction, other in ((DIVIDE, MULTIPLY), (MULTIPLY, DIVIDE)):
+        if proofs[direction] and not proofs[other]:
+            evidence = f"the bounds of {proofs[direction]} rows are whole counts that their types have in no other way"
+            return proofs, (direction, evidence)
+    if fraction:
+        return proofs, (MULTIPLY, f"`{fraction}` in the same column")
+    if coarse and not proofs:
+        return proofs, (DIVIDE, f"{coarse} rows would count in steps of ten units or more that are measured in less")
+    return proofs, ("", "")
 
 
 def times_direction(
@@ -106,17 +97,10 @@ def times_direction(
     """The same for factors after a multiplication sign, as in `V x 10`, which are not used without evidence."""
     if stated:
         return stated, None
-    proofs = {proof for entry in measured for proof in _proofs(entry, True)}
-    option = "--gain multiply or --gain divide"
-    if len(proofs) == 1:
-        (direction,) = proofs
-        return direction, Assumption(
-            f"`{example}`", _direction(direction), "the bounds are whole counts only so", option
-        )
-    if coarse and not proofs:
-        evidence = f"{coarse} rows would count in steps of ten units or more that are measured in less"
-        return DIVIDE, Assumption(f"`{example}`", _direction(DIVIDE), evidence, option)
-    return "", Assumption(f"`{example}`", "not used", "the factor is counts per unit, or units per count", option)
+    _, (direction, evidence) = _proved(measured, True, coarse)
+    reading = _direction(direction) if direction else "not used"
+    evidence = evidence or "the factor is counts per unit, or units per count"
+    return direction, Assumption(f"`{example}`", reading, evidence, _OPTION)
 
 
 def _direction(direction: str) -> str:
@@ -145,9 +129,13 @@ def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tup
     either = {(entry.row, entry.counts(Fraction(1)), entry.counts(entry.factor)) for entry in scaled}
     unit = len({row for row, *proof in either if proof == [False, True]})
     counts = len({row for row, *proof in either if proof == [True, False]})
-    direction = UNIT if (unit or in_unit) and not counts else COUNTS
+    fine = [entry for entry in scaled if entry.low != entry.high and is_count(PRIMITIVES[entry.type].encoding)]
+    is_narrow = bool(fine) and all(Fraction(entry.high - entry.low) * entry.factor < 1 for entry in fine)
+    direction = UNIT if (unit or in_unit or is_narrow) and not counts else COUNTS
     if direction == UNIT and unit:
         evidence = f"{unit} rows contain no counts of their types"
+    elif direction == UNIT and not in_unit:
+        evidence = "as counts, they are less than one of the unit apart"
     elif direction == UNIT:
         evidence = "so they prove the direction of the factor"
     elif counts and not unit:
@@ -165,11 +153,12 @@ def length_unit(heading: str, sizes: Sequence[tuple[int, int, int]], stated: str
         return stated or "words", None
     matches = Counter(
         name
-        for length, words, gap in sizes
+        for length, size, gap in sizes
         for name, factor in LENGTHS.items()
-        if length == (words or gap) * factor and (words or gap)
+        if length == (size or gap) * factor and (size or gap)
     )
-    stated_unit = next((name for name in LENGTHS if any(word in folded(heading) for word in _LENGTH_WORDS[name])), "")
+    own_words = words("lengths")
+    stated_unit = next((name for name in LENGTHS if any(word in folded(heading) for word in own_words[name])), "")
     ranked = matches.most_common(2)
     likely = ranked[0][0] if ranked and (len(ranked) == 1 or ranked[0][1] > ranked[1][1]) else ""
     fits = [name for name in LENGTHS if all(not gap or length <= gap * LENGTHS[name] for length, _, gap in sizes)]

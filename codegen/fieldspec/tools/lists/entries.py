@@ -12,7 +12,7 @@ from fieldspec.tools.lists.item import MESSAGES, REGISTERS
 from fieldspec.tools.lists.row_reading import PARAMETER, REGISTER, ListRow
 from fieldspec.tools.lists.shapes import BIT, Shape, shape
 from fieldspec.tools.lists.sheet import ListError
-from fieldspec.tools.lists.type_words import Loose
+from fieldspec.tools.lists.type_words import UNSIGNED, Loose
 
 SPACES = {REGISTERS: False, "input_registers": False, "coils": True, "discrete_inputs": True}
 """The address spaces that a list may have, and whether they are of bits."""
@@ -120,7 +120,7 @@ def _with_bits(entry: Entry, rows: Sequence[ListRow], refused: list[Refusal]) ->
     own_shape = entry.shape
     doubts = list(own_shape.doubts)
     width = own_shape.words * 16
-    own_type = {1: "u16", 2: "u32", 4: "u64"}.get(own_shape.words)
+    own_type = UNSIGNED.get(own_shape.words)
     if own_type is None or is_real(PRIMITIVES[own_shape.type].encoding):
         refused += [
             Refusal(row.row, "", "", f"has a bit of row {entry.row.row}, whose type {own_shape.type} has none")
@@ -168,7 +168,7 @@ def _of_bits(rows: Sequence[ListRow], space: str, refused: list[Refusal]) -> Ent
     access = first.access if len(accesses) == 1 else "rw"
     whole = ListRow(first.row, first.address, access=access, space=first.space, order=first.order, gap=first.gap)
     reason = "The list has only bits of it."
-    own_shape = Shape({1: "u16", 2: "u32", 4: "u64"}[words], words, inferred=reason)
+    own_shape = Shape(UNSIGNED[words], words, inferred=reason)
     return _with_bits(Entry(whole, own_shape, space, is_own=False), rows, refused)
 
 

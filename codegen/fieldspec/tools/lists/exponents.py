@@ -15,7 +15,8 @@ from fieldspec.tools.lists.words import folded
 USUAL = (Decimal(-10), Decimal(10))
 """The exponents of SunSpec, whose lists do not say them."""
 
-_POWER = re.compile(r"\s*10\s*(?:\^|\*\*)\s*\(?")
+_POWER = re.compile(r".*(?:\b10\s*(?:\^|\*\*)|pow\w*\(\s*10\s*,|pow\w*10)\W*(?:\w+\[['\"]?)?", re.IGNORECASE)
+"""The beginning of a formula, up to the name of an exponent: `x * 10^`, `pow(10, sf[`."""
 
 
 def exponents(rows: Sequence[ListRow], types: Sequence[str]) -> dict[int, int]:
@@ -40,8 +41,10 @@ def exponents(rows: Sequence[ListRow], types: Sequence[str]) -> dict[int, int]:
 
 
 def _named(row: ListRow, places: Mapping[str, Sequence[int]]) -> int | None:
-    """The place of the row that the scale of a row names."""
-    places_of_name = places.get(folded(_POWER.sub("", row.texts.get("scale", ""))), ())
+    """The place of the row that the scale of a row names, or its formula with a power of ten."""
+    formula = row.texts.get("formula", "")
+    text = formula if _POWER.match(formula) else row.texts.get("scale", "")
+    places_of_name = places.get(folded(_POWER.sub("", text)), ())
     return places_of_name[0] if len(places_of_name) == 1 else None
 
 

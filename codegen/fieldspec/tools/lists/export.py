@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from decimal import Decimal
 from typing import TypeAlias
 
@@ -17,82 +17,12 @@ from fieldspec.tools.lists.workbook_writer import workbook
 
 Cell: TypeAlias = int | Decimal | str | None
 
-COLUMNS = (
-    "space",
-    "address",
-    "hex",
-    "name",
-    "words",
-    "type",
-    "access",
-    "unit",
-    "ucum",
-    "scale",
-    "offset",
-    "min",
-    "max",
-    "default",
-    "const",
-    "count",
-    "stride",
-    "first",
-    "subindex",
-    "printed_name",
-    "label",
-    "values",
-    "special",
-    "bits",
-    "bytes",
-    "order",
-    "section",
-    "line",
-    "unverified",
-)
-
 
 def _scale(value: Value) -> Cell:
     """The scale of a count; `10^power_sf` where the exponent is in another register."""
     if value.scale_by:
         return f"10^{value.scale_by}"
     return exact_number(value.scale_number) if value.scale != 1 else None
-
-
-def row(item: Item) -> dict[str, Cell]:
-    """The cells of an item by column; None is empty."""
-    value, source = item.value, item.source
-    is_list = item.count > 1
-    ranges = None if value is None else value.writable_ranges
-    return {
-        "space": item.space,
-        "address": item.address,
-        "hex": f"0x{item.address:04X}",
-        "name": item.name,
-        "words": item.words,
-        "type": item.type,
-        "access": item.access or None,
-        "unit": (value.quantity_unit or None) if value else None,
-        "ucum": item.ucum or None,
-        "scale": _scale(value) if value else None,
-        "offset": exact_number(value.offset) if value and value.offset else None,
-        "min": ranges.low if ranges else None,
-        "max": ranges.high if ranges else None,
-        "default": value.default if value else None,
-        "const": value.const if value else None,
-        "count": item.count if is_list else None,
-        "stride": item.stride if is_list and item.stride else None,
-        "first": item.first if is_list and item.stride else None,
-        "subindex": _run(*item.subindices) if item.subindices else None,
-        "printed_name": item.printed_name or None,
-        "label": item.label or None,
-        "values": "; ".join(f"{number} {name}" for number, name in item.members) or None,
-        "special": "; ".join(f"{number} {name}" for number, name in item.special) or None,
-        "bits": "; ".join(f"{text} {name}" for _, text, name in item.bits) or None,
-        "bytes": value.size if value is not None and (value.digits or value.type.name in ("text", "bytes")) else None,
-        "order": item.order or None,
-        "section": source.section or None if source else None,
-        "line": _line(source) if source else None,
-        "unverified": "yes" if item.unverified else None,
-    }
 
 
 def _line(source: Citation) -> Cell:
@@ -103,6 +33,53 @@ def _line(source: Citation) -> Cell:
 
 def _run(first: int, last: int) -> str:
     return f"{first}" if first == last else f"{first}..{last}"
+
+
+_CELLS: dict[str, Callable[[Item], Cell]] = {
+    "space": lambda item: item.space,
+    "address": lambda item: item.address,
+    "hex": lambda item: f"0x{item.address:04X}",
+    "name": lambda item: item.name,
+    "words": lambda item: item.words,
+    "type": lambda item: item.type,
+    "access": lambda item: item.access,
+    "unit": lambda item: item.value.quantity_unit if item.value else None,
+    "ucum": lambda item: item.ucum,
+    "scale": lambda item: _scale(item.value) if item.value else None,
+    "offset": lambda item: exact_number(item.value.offset) if item.value and item.value.offset else None,
+    "min": lambda item: item.value.writable_ranges.low if item.value and item.value.writable_ranges else None,
+    "max": lambda item: item.value.writable_ranges.high if item.value and item.value.writable_ranges else None,
+    "default": lambda item: item.value.default if item.value else None,
+    "const": lambda item: item.value.const if item.value else None,
+    "count": lambda item: item.count if item.count > 1 else None,
+    "stride": lambda item: item.stride if item.count > 1 and item.stride else None,
+    "first": lambda item: item.first if item.count > 1 and item.stride else None,
+    "subindex": lambda item: _run(*item.subindices) if item.subindices else None,
+    "printed_name": lambda item: item.printed_name,
+    "label": lambda item: item.label,
+    "values": lambda item: "; ".join(f"{number} {name}" for number, name in item.members),
+    "special": lambda item: "; ".join(f"{number} {name}" for number, name in item.special),
+    "bits": lambda item: "; ".join(f"{text} {name}" for _, text, name in item.bits),
+    "bytes": lambda item: item.value.size if item.value and _has_own_size(item.value) else None,
+    "order": lambda item: item.order,
+    "section": lambda item: item.source.section if item.source else None,
+    "line": lambda item: _line(item.source) if item.source else None,
+    "unverified": lambda item: "yes" if item.unverified else None,
+}
+"""The cell of an item in each column."""
+
+COLUMNS = tuple(_CELLS)
+
+
+def row(item: Item) -> dict[str, Cell]:
+    """The cells of an item by column; None is empty."""
+    cells = {column: cell(item) for column, cell in _CELLS.items()}
+    return {column: None if cell == "" else cell for column, cell in cells.items()}
+
+
+def _has_own_size(value: Value) -> bool:
+    """Whether the type of a value does not say its size."""
+    return bool(value.digits) or value.type.name in ("text", "bytes")
 
 
 def as_csv(items: Sequence[Item]) -> str:

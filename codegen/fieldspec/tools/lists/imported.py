@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.primitives import PRIMITIVES
-from fieldspec.tools.lists.addresses import REFERENCE
+from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL, REFERENCE
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.entries import SPACES, Entry, entries
 from fieldspec.tools.lists.halves import with_halves_joined
@@ -15,7 +15,7 @@ from fieldspec.tools.lists.message_entries import message_entries
 from fieldspec.tools.lists.numbering import chosen
 from fieldspec.tools.lists.rolling_up import rolled_up
 from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER, REGISTER, SIGNAL, ListRow
-from fieldspec.tools.lists.shapes import BIT
+from fieldspec.tools.lists.shapes import BIT, shape
 from fieldspec.tools.lists.sheet import ListError, Sheet
 
 
@@ -73,11 +73,20 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
         raise ListError("; ".join(f"leaves open: {undecided.text()}" for undecided in register_list.open))
     spaces = {row.row: row.space for row in register_list.read if row.space}
     base, assumption = chosen(register_list.places, register_list.bases, register_list.columns, spaces)
+    digits = [row_place.first.digits for _, row_place in register_list.places.rows]
+    are_padded = len({*map(len, digits)}) == 1 and any(text.startswith("0") for text in digits)
+    if are_padded and register_list.bases == (DECIMAL, HEXADECIMAL):
+        overlaps = {own_base: sum(map(_overlaps, register_list.rows(own_base))) for own_base in register_list.bases}
+        if overlaps[DECIMAL] and not overlaps[HEXADECIMAL]:
+            evidence = f"as decimal numbers, {overlaps[DECIMAL]} rows overlap the next ones"
+            base, assumption = HEXADECIMAL, Assumption("addresses", "hexadecimal", evidence, "--base decimal")
     rows, refused, further = register_list.numbered(base)
     assumptions = [*([assumption] if assumption else []), *further, *register_list.assumptions]
     rows = with_halves_joined(rows, assumptions)
-    if not any(row.space for row in rows) and base != REFERENCE:
-        assumptions.append(Assumption("address space", "registers", "the list does not say it", "--space"))
+    silent = sum(not row.space and row.kind == REGISTER for row in rows)
+    if silent and base != REFERENCE and not register_list.own:
+        scope = "" if silent == len(rows) else f" of {silent} rows"
+        assumptions.append(Assumption("address space", "registers", f"the list does not say it{scope}", "--space"))
     if sheet.encoding:
         assumptions.append(Assumption("encoding", sheet.encoding, "the bytes are not UTF-8", "--encoding"))
     result = _entered(
@@ -98,6 +107,11 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
         return result
     order = Assumption("order of words", "ABCD, the high word first", "the list does not say it", "--order")
     return replace(result, assumptions=(*assumptions, order))
+
+
+def _overlaps(row: ListRow) -> bool:
+    """Whether a row has more words than there are addresses up to the next one."""
+    return row.type is not None and row.bits is None and shape(row, False).words > row.gap > 0
 
 
 def _lacks_order(entry: Entry) -> bool:

@@ -14,7 +14,8 @@ from fieldspec.language.model.access import narrowed
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Citation
-from fieldspec.language.model.registers import Parameter, ParameterSet
+from fieldspec.language.model.record import Field
+from fieldspec.language.model.registers import Parameter, ParameterSet, Register, Subindex
 from fieldspec.language.model.value import Value
 from fieldspec.tools.lists.orders import order_text
 from fieldspec.tools.lists.value_forms import type_text
@@ -118,14 +119,9 @@ def _register(device: Device, layout: RegisterLayout) -> Iterator[Item]:
             address=register.address + number * register.stride,
             name=f"{register.name}_{index}" if is_list else register.name,
             words=register.width if register.unit_size > 1 and register.value.type.name != BIT else None,
-            type=type_text(register.value),
             access=register.access,
-            value=register.value,
-            printed_name=printed,
-            label=register.label,
             order=order_text(register.value, layout.order, layout.swapped),
-            source=_first(sources),
-            unverified=register.unverified,
+            **{**_stated(register, register.value), "printed_name": printed, "source": _first(sources)},
         )
 
 
@@ -147,16 +143,7 @@ def _table(device: Device, table_layout: TableLayout) -> Iterator[Item]:
 
 def _field(part: FieldLayout, **place: Any) -> Item:
     """The item of a field, with where it is."""
-    return Item(
-        type=type_text(part.value) if part.value else "bytes",
-        value=part.value,
-        order=order_text(part.value, part.order, part.swapped),
-        printed_name=part.field.printed_name,
-        label=part.field.label,
-        source=_first(part.field.sources),
-        unverified=part.field.unverified,
-        **place,
-    )
+    return Item(order=order_text(part.value, part.order, part.swapped), **_stated(part.field, part.value), **place)
 
 
 def _message(layout: MessageLayout, direction: str) -> Iterator[Item]:
@@ -218,14 +205,9 @@ def _parameter(parameter_set: ParameterSet, parameter: Parameter) -> Iterator[It
             address=parameter_set.base + number,
             name=f"{parameter.name}_{number}" if parameter.count > 1 else parameter.name,
             words=None,
-            type=type_text(parameter.value),
             access=parameter.access,
-            value=parameter.value,
             count=parameter.elements or 1,
-            printed_name=parameter.printed_name,
-            label=parameter.label,
-            source=_first(parameter.sources),
-            unverified=parameter.unverified,
+            **_stated(parameter, parameter.value),
         )
         yield from _elements(parameter_set, parameter, number)
 
@@ -240,15 +222,22 @@ def _elements(parameter_set: ParameterSet, parameter: Parameter, number: int) ->
             address=parameter_set.base + number,
             name=f"{parameter.name}.{part.name}",
             words=None,
-            type=type_text(part.value),
             access=parameter.element_access(part.indices.low),
-            value=part.value,
             subindices=(part.indices.low, part.indices.high),
-            printed_name=part.printed_name,
-            label=part.label,
-            source=_first(part.sources),
-            unverified=part.unverified,
+            **_stated(part, part.value),
         )
+
+
+def _stated(fact: Field | Register | Parameter | Subindex, value: Value | None) -> dict[str, Any]:
+    """The attributes of an item that a fact states: its value, its names, and where the manual has it."""
+    return {
+        "type": type_text(value) if value else "bytes",
+        "value": value,
+        "printed_name": fact.printed_name,
+        "label": fact.label,
+        "source": _first(fact.sources),
+        "unverified": fact.unverified,
+    }
 
 
 def _first(sources: tuple[Citation, ...]) -> Citation | None:

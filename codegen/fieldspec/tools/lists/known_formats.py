@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import re
 
+from fieldspec.tools.lists.formats import can_database, object_dictionary
 from fieldspec.tools.lists.sheet import ListError
 
 _LOOKED_AT = 1 << 16
 
 _FORMATS = (
-    (
-        r"\A\s*\[(?:FileInfo|DeviceInfo|DeviceComissioning|Comments|DummyUsage|MandatoryObjects)\]",
-        "an electronic data sheet (EDS or DCF) of a bus with objects",
-    ),
-    (r"\A\s*VERSION\s+\"|^[ \t]*BO_\s+[0-9]+\s+\w+\s*:", "a database of CAN messages (DBC)"),
+    (object_dictionary.SIGNS.pattern, "an electronic data sheet (EDS or DCF) of a bus with objects"),
+    (can_database.SIGNS.pattern, "a database of CAN messages (DBC)"),
     (r"^[ \t]*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
     (r"\A(?:[ \t]*(?:[#;][^\n]*)?\n)*[ \t]*\[{1,2}[A-Za-z][\w. -]*\]{1,2}[ \t\r]*$", "a configuration in TOML or INI"),
     (r"^[ \t]*Bridge +\w+(?::[\w-]+){1,3} .*[\[{]", "a file of things of openHAB"),

@@ -13,11 +13,12 @@ from fieldspec.language.model.fact import LINES
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place, address_text
 from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
-from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign, functions
+from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign
 from fieldspec.tools.lists.column_roles import FURTHER, NOTE, Columns, headings_text
 from fieldspec.tools.lists.decisions import decided
 from fieldspec.tools.lists.entries import SPACES
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
+from fieldspec.tools.lists.exported_rows import OF_THE_MANUAL, exported_row, uncited
 from fieldspec.tools.lists.numbering import (
     Placed,
     assumed_areas,
@@ -30,22 +31,20 @@ from fieldspec.tools.lists.numbering import (
 )
 from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_subindices_apart
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
-from fieldspec.tools.lists.row_reading import OF_THE_MANUAL, Cells, ListRow, exported_row, read_row, uncited
+from fieldspec.tools.lists.row_reading import Cells, ListRow, read_row
+from fieldspec.tools.lists.row_spaces import titled_order, titles, with_spaces
 from fieldspec.tools.lists.shapes import with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns
-from fieldspec.tools.lists.type_words import described_order
 from fieldspec.tools.lists.values_beneath import with_values_beneath
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import meaning
 
 _NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
-_SHORTEST_TITLE, _COILS = 8, "coils"
-"""The fewest letters of a title that names a space: shorter titles, such as `Inputs`, name groups."""
 
 _WIDE_STEPS = (4, 8)
 """The bytes of registers with more than a word."""
 
-_EMPTY = ("-", "--", "---", "n/a", "N/A", "\u2013", "\u2014", "/")
+_EMPTY = ("-", "--", "---", "n/a", "N/A", "undefined", "\u2013", "\u2014", "/")
 _BIT_NAME = re.compile(
     r"(?:bit|b)\s*\.?([0-9]{1,2})(?:\s*(?:-|\.\.|~)\s*(?:bit|b)?([0-9]{1,2}))?\b[\s:=.)-]*(.*)", re.IGNORECASE
 )
@@ -138,6 +137,11 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         if row.number < first_row and not sheet.heads and _has_number(row)
     ]
     refused += [
+        Refusal(number, "", "", f"is not used: `{text}`")
+        for number, text in titles(sheet).items()
+        if number < first_row and meaning("settings", re.split("[:=]", text)[0])
+    ]
+    refused += [
         Refusal(head.number, "", "", f"begins a table without addresses, of {number} rows: {headings_text(head.cells)}")
         for head, number in columns_of_sheet.other_tables
     ]
@@ -146,7 +150,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     reason = "has cells that do not stand under the headings"
     refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
-    order = options.order or _titled_order(sheet, assumptions)
+    order = options.order or titled_order(sheet, assumptions)
     further = _further_cells(columns_of_sheet, places, assumptions)
     read = []
     for sheet_row, row_place in places.rows:
@@ -173,7 +177,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
             row = replace(row, doubts=(*row.doubts, f"Cells beyond the headings in the list: {texts_beyond}."))
         space = area or row.space or cells.space(sheet.name)
         read.append(replace(row, bits=row_place.bits or row.bits, space=space))
-    read = _by_functions(_beneath_titles(read, sheet, assumptions))
+    read = with_spaces(read, sheet, assumptions)
     unknown = list(unknown_areas(places, {row.row: row.space for row in read}, columns_of_sheet.heading("address")))
     refused += unknown
     refused_rows = {refusal.row for refusal in unknown}
@@ -269,54 +273,6 @@ def _further_cells(columns_of_sheet: Columns, places: Placed, assumptions: list[
     )
     assumptions.append(Assumption("cells", "each under its heading", evidence))
     return further
-
-
-def _titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:
-    """The order of words that a row with only a text states for the whole list; empty where none does."""
-    titles = [cell for row in sheet.rows for cell in row.cells if cell and len({*filter(None, row.cells)}) == 1]
-    orders = {order: title for title in titles if (order := described_order(title))}
-    if len(orders) != 1:
-        return ""
-    ((order, title),) = orders.items()
-    assumptions.append(Assumption("order of words", order, f"`{title}`", "--order"))
-    return order
-
-
-def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:
-    """The rows; rows that name no space are in the space of the title above, a row with only the name of a space."""
-    titles: dict[int, tuple[str, str]] = {}
-    for row in sheet.rows:
-        texts = {cell for cell in row.cells if cell}
-        text = next(iter(texts)) if len(texts) == 1 else ""
-        is_long = len(folded(text)) >= _SHORTEST_TITLE or folded(text) == _COILS
-        if is_long and (space := cells.space(text)):
-            titles[row.number] = space, text
-    result = []
-    title, used = ("", ""), dict[str, str]()
-    ordered = sorted(
-        [*((number, None) for number in titles), *((row.row, row) for row in rows)], key=lambda pair: pair[0]
-    )
-    for number, list_row in ordered:
-        if list_row is None:
-            title = titles[number]
-        else:
-            used |= dict([title]) if title[0] and not list_row.space else {}
-            result.append(replace(list_row, space=list_row.space or title[0]))
-    if used:
-        reading = ", ".join(f"{space} below `{text}`" for space, text in used.items())
-        assumptions.append(Assumption("address space", reading, "the titles", "--space"))
-    return result
-
-
-def _by_functions(rows: list[ListRow]) -> list[ListRow]:
-    """The rows, read only where the functions that the list names for them only read, and others also write."""
-    codes = [functions(row.texts.get("function", "")) for row in rows]
-    if not any(code is not None and code.writes for code in codes):
-        return rows
-    return [
-        replace(row, access="ro") if code is not None and not code.writes and not row.access else row
-        for row, code in zip(rows, codes, strict=True)
-    ]
 
 
 def _of_bytes(row: ListRow, step: int) -> ListRow | None:

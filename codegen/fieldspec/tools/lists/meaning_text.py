@@ -16,11 +16,10 @@ from fieldspec.tools.lists.naming import fresh, snake
 from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.row_reading import SIGNAL, STATES, ListRow
 from fieldspec.tools.lists.shapes import BIT
+from fieldspec.tools.lists.type_words import UNSIGNED
 from fieldspec.tools.lists.yaml_text import exact, quoted
 
 Members: TypeAlias = tuple[tuple[int, str], ...]
-
-_UNSIGNED = {1: "u16", 2: "u32", 4: "u64"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +46,7 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
     doubt = (f"Values in the list: {text}.",) if text else ()
     own_type = entry.shape.type
     is_stated = (entry.row.is_own or entry.kind == SIGNAL) and own_type.startswith("u")
-    unsigned = own_type if is_stated else _UNSIGNED.get(entry.shape.words, "")
+    unsigned = own_type if is_stated else UNSIGNED.get(entry.shape.words, "")
     kind = PRIMITIVES[own_type]
     if bits:
         doubts = doubt if members or (meanings.bits and entry.bits) else ()

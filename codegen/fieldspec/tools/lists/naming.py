@@ -33,10 +33,10 @@ _LATIN = {
 _ALPHABETS = re.compile(r"(?:GREEK|CYRILLIC) (?:SMALL|CAPITAL) LETTER (?:FINAL )?([A-Z]+)(?: .*)?")
 
 
-def named(texts: Iterable[str], address: int) -> str:
+def named(texts: Iterable[str], address: int, kind: str = "register") -> str:
     """A name from the first text in Latin letters, of one letter if there is no longer one, else `register_2000`."""
     names = [name for text in texts if (name := snake(text))]
-    return next((name for name in names if len(name) > 1), names[0] if names else f"register_{address:04x}")
+    return next((name for name in names if len(name) > 1), names[0] if names else f"{kind}_{address:04x}")
 
 
 def snake(text: str) -> str:

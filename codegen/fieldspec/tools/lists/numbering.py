@@ -311,8 +311,8 @@ def _for_wire(
     if contradicting := _contradicting(placed_rows, spaces):
         yield f"the kinds of registers of {contradicting} rows contradict the first digits"
     for column in columns.more.get("address", ()):
-        differences = {_difference(row, row_place, column, columns) for row, row_place in placed_rows.rows}
-        if differences == {0}:
+        differences = [difference for difference, _ in _differences(placed_rows, DECIMAL, column, columns).values()]
+        if len(differences) == len(placed_rows.rows) and not any(differences):
             yield f"{columns.heading_at(column)} has the same numbers"
 
 
@@ -336,11 +336,14 @@ def _is_reference_of_other(row_place: Place) -> bool:
     return row_place.other is not None and reference is not None and row_place.other.number(DECIMAL) == reference[1]
 
 
-def _difference(row: SheetRow, row_place: Place, column: int, columns: Columns) -> int | None:
-    """The number of a further column less the decimal number of the address; None if one of them is not a number."""
-    other = _further(row, column, columns)
-    number = row_place.first.number(DECIMAL)
-    return other - number if other is not None and number is not None else None
+def _differences(placed_rows: Placed, base: str, column: int, columns: Columns) -> dict[int, tuple[int, str]]:
+    """The number of a further column less the address of each row that has both, with its cell there."""
+    return {
+        row.number: (other - number, row.cell(column))
+        for row, row_place in placed_rows.rows
+        if (number := row_place.first.number(base)) is not None
+        and (other := _further(row, column, columns)) is not None
+    }
 
 
 def _further(row: SheetRow, column: int, columns: Columns) -> int | None:
@@ -360,11 +363,7 @@ def contradictions(placed_rows: Placed, base: str, columns: Columns) -> tuple[di
     refused: dict[int, Refusal] = {}
     assumptions = []
     for column in columns.more.get("address", ()):
-        pairs = {}
-        for row, row_place in placed_rows.rows:
-            number, other = row_place.first.number(base), _further(row, column, columns)
-            if number is not None and other is not None:
-                pairs[row.number] = other - number, row.cell(column)
+        pairs = _differences(placed_rows, base, column, columns)
         if not pairs:
             continue
         (usual, times), *_ = Counter(difference for difference, _ in pairs.values()).most_common(1)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from fieldspec.foundation.spreadsheet import clean
 from fieldspec.tools.lists.addresses import address_text
 from fieldspec.tools.lists.cells import whole
+from fieldspec.tools.lists.naming import snake
 from fieldspec.tools.lists.orders import stated_order
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
 from fieldspec.tools.lists.words import folded, meaning, whole_words, words
@@ -18,6 +20,10 @@ GROUP = "group"
 
 _NO_ADDRESSES = ("index", "offset", "dec", "decimal", "start", "registers")
 """Keys that only are addresses where no others are."""
+
+
+_STATIONS = ("slave", "unit", "device", "node", "station", "server", "host", "ip", "mac", "i2c", "spi")
+"""Words before `address` for what is not a register: the address of a station, of a network or of a chip."""
 
 
 class _Group(NamedTuple):
@@ -34,7 +40,13 @@ def objects_sheet(data: object, format_name: str, only_with_addresses: bool = Fa
     Raises ListError.
     """
     groups = list(_groups("", data, {})) if isinstance(data, list | dict) else []
-    used = [group for group in groups if any(_has_address(item) for item in group.objects)]
+    used = max(
+        (
+            [group for group in groups if any(map(has_address, group.objects))]
+            for has_address in (_has_address, _has_compound_address)
+        ),
+        key=_role_count,
+    )
     if not used and not only_with_addresses:
         used = [group for group in groups if any(_has_address(item, ()) for item in group.objects)] or _alike(groups)
     objects = [_with_named_bits(item) for item in _joined(used)]
@@ -86,6 +98,12 @@ def _addressing(value: object, inner: set[int]) -> Iterator[str]:
         yield from _addressing(setting, inner)
 
 
+def _role_count(groups: list[_Group]) -> int:
+    """How many roles the keys of some groups name."""
+    keys = {folded(str(key)) for group in groups for item in group.objects for key in item}
+    return len({whole_words()[key] for key in keys & whole_words().keys()})
+
+
 def _alike(groups: list[_Group]) -> list[_Group]:
     """The groups that have half of the keys of the longest one."""
     longest = max((group.objects for group in groups), key=len, default=[])
@@ -94,16 +112,36 @@ def _alike(groups: list[_Group]) -> list[_Group]:
 
 
 def _joined(groups: list[_Group]) -> list[dict[str, Any]]:
-    """The objects of some groups; if there are several groups, with the names of their groups."""
+    """The objects of some groups; if there are several groups, with the names of their groups.
+
+    A name that several groups have follows that of its group: `battery voltage`.
+    """
     if len({group.name for group in groups}) == 1:
         return [item for group in groups for item in group.objects]
-    head = "space" if all(meaning("spaces", group.name) for group in groups) else GROUP
-    return [{head: group.name, **item} for group in groups for item in group.objects]
+    if all(meaning("spaces", group.name) for group in groups):
+        return [{"space": group.name, **item} for group in groups for item in group.objects]
+    pairs = {(group.name, str(item.get("name", ""))) for group in groups for item in group.objects}
+    times = Counter(name for _, name in pairs)
+    return [
+        {GROUP: group.name, **item}
+        | ({"name": f"{group.name} {name}"} if times[name := str(item.get("name", ""))] > 1 and name else {})
+        for group in groups
+        for item in group.objects
+    ]
 
 
 def _has_address(item: dict[str, Any], unless: tuple[str, ...] = _NO_ADDRESSES) -> bool:
     addresses = {word for word in words("headings")["address"] if word not in unless}
     return any(folded(str(key)) in addresses and not isinstance(value, list | dict) for key, value in item.items())
+
+
+def _has_compound_address(item: dict[str, Any]) -> bool:
+    """Whether the last word of a key of an object is one for addresses, as in `busAddress`."""
+    last_words = ((snake(str(key)).rpartition("_"), value) for key, value in item.items())
+    return any(
+        first and first not in _STATIONS and _has_address({last: value}) and address_text(str(value)) is not None
+        for (first, _, last), value in last_words
+    )
 
 
 def _has_inner_address(value: Any) -> bool:

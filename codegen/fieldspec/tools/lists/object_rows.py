@@ -31,6 +31,7 @@ _INDEX_AND_SUBINDEX = re.compile(
     r"((?:0x|16#)?[0-9a-f]{4}h?)\s*(?:[:./,_-]|\bsub(?:index)?|[\[(]|\s)\s*((?:0x)?[0-9a-f]{1,2}h?)\s*[\])]?",
     re.IGNORECASE,
 )
+_COUNTING = re.compile(r"number|count|entries|highest|largest|sub-?ind|anzahl|nombre|número|numero|数", re.IGNORECASE)
 _SPAN = re.compile(r"\s*(?:\.\.+|-|\u2013|~|\bto\b)\s*")
 
 
@@ -132,14 +133,20 @@ def as_parameters(
         row.type == Typed(_TEXT) and row.texts["bytes"] == str(TEXT_BYTES) for group in groups.values() for row in group
     ):
         assumptions.append(Assumption("texts", f"up to {TEXT_BYTES} bytes", "the list has no lengths"))
-    for index, group in groups.items():
+    for group in groups.values():
         elements = [row for row in group if row.subindices is not None]
         wholes = [row for row in group if row.subindices is None]
         if not elements or (not wholes and {row.subindices for row in elements} == {(0, 0)}):
             yield from (replace(row, subindices=None) for row in group)
             continue
-        whole = wholes[0] if wholes else ListRow(elements[0].row, names=(f"object_{index:04x}",))
+        whole = wholes[0] if wholes else _headed(elements[0])
         yield from (object_of(whole, elements), *elements, *wholes[1:])
+
+
+def _headed(first: ListRow) -> ListRow:
+    """The row of an object that has none, with the name of the first element, if this does not count the others."""
+    names = first.names if first.subindices == (0, 0) and not _COUNTING.search(" ".join(first.names)) else ()
+    return ListRow(first.row, first.address, names=names, texts={"label": names[0]} if names else {})
 
 
 def object_of(whole: ListRow, elements: Sequence[ListRow]) -> ListRow:

@@ -18,19 +18,31 @@ _TIMES = re.compile(r"(?:[*x\u00d7·]|times)\s*(.+)|(.+?)\s*[*x\u00d7]", re.IGNO
 _HEXADECIMAL = re.compile(r"0x", re.IGNORECASE)
 """The beginning of a mask: factors are not written in this form."""
 
+_DISPLAYED = re.compile(r"[x#]+[.,]([x#]{1,6})", re.IGNORECASE)
+"""How a value is displayed: `xxx.x`."""
+
 _RATIO = re.compile(r"([0-9]{1,9})\s*[/:]\s*([0-9]{1,9})")
 _LEADING = re.compile(
-    r"([-+]?[0-9]*[.,]?[0-9]+(?:[eE][-+]?[0-9]+)?|[/÷]\s*[0-9.,]+|10\s*\^\s*\(?[-+]?[0-9]+\)?|[0-9]+\s*/\s*[0-9]+)\s*[*x\u00d7·]?\s*([^\s0-9.,*/^].*)"
+    r"([-+]?[0-9]*[.,]?[0-9]+(?:[eE][-+]?[0-9]+)?|[/÷]\s*[0-9.,]+|10\s*\^\s*\(?[-+]?[0-9]+\)?|[0-9]+\s*/\s*[0-9]+|[X#]+\.[X#]+)\s*[*x\u00d7·]?\s*([^\s0-9.,*/^].*)"
 )
+_BEFORE = re.compile(
+    r"(?:(÷|/|divided? by)|[x\u00d7*])\s*(10{1,6}|0\.0{0,5}1)(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE
+)
+"""A factor with the sign before it, and perhaps a unit: `÷10 for %`."""
+
 _BEHIND = re.compile(r"([^\d\s*/x\u00d7÷]+[^\s*/x\u00d7÷]*)\s*([*/x\u00d7÷])\s*([0-9][0-9.,]*)")
 _LINEAR = re.compile(
-    r"\(?\s*[a-z_][a-z_ ]*\s*(?:([*/x\u00d7÷])\s*([0-9][0-9.,]*(?:e-?[0-9]+)?))?\s*\)?\s*(?:([-+])\s*([0-9][0-9.,]*))?",
+    r"\(?\s*(?:[a-z_][a-z_ ]*|\[[0-9]+\])\s*(?:([*/x\u00d7÷])\s*([0-9][0-9.,]*(?:e-?[0-9]+)?))?"
+    r"\s*\)?\s*(?:([-+])\s*([0-9][0-9.,]*))?",
     re.IGNORECASE,
 )
 _SHIFTED = re.compile(
     r"\(\s*[a-z_][a-z_ ]*\s*([-+])\s*([0-9][0-9.,]*)\s*\)\s*([*/x\u00d7÷])\s*([0-9][0-9.,]*)", re.IGNORECASE
 )
 """A formula that adds before it scales: `(x - 400) / 10`."""
+
+_CALLED = re.compile(r"(?:(scale|multiply|mul|times)|divide|div)\(\s*([0-9][0-9.,]*)\s*\)", re.IGNORECASE)
+"""A formula that is a function of the count: `scale(0.1)`."""
 
 _SYMBOL = re.compile(r"[^\W\d_°%µΩ\u2032″‰]*[°%‰]?[^\W\d_]*(?:[/·*^⁻¹²³][^\W_]{1,8}){0,3}[²³]?")
 _PER_COUNT = re.compile(r"\s*(?:/|\bper\b)\s*(?:bit|digit|lsb|count|step)s?$", re.IGNORECASE)
@@ -91,6 +103,8 @@ def factor(text: str, decimal: str) -> Fraction | None:
     text = unicodedata.normalize("NFKC", text).strip().strip("`").strip()
     if _HEXADECIMAL.match(text):
         return None
+    if displayed := _DISPLAYED.fullmatch(text):
+        return Fraction(1, 10 ** len(displayed[1]))
     if ratio := _RATIO.fullmatch(text):
         return Fraction(int(ratio[1]), int(ratio[2])) if int(ratio[1]) and int(ratio[2]) else None
     if divided := _DIVIDED.fullmatch(text):
@@ -122,6 +136,10 @@ def unit_cell(text: str, decimal: str) -> Quantity | None:
         return Quantity(unit=unit)
     if (scaled := scaled_unit(text, decimal)) is not None:
         return scaled
+    if (prefix := _BEFORE.fullmatch(text)) and (known_unit(prefix[3] or "") or not prefix[3]):
+        unit, step = known_unit(prefix[3] or ""), Fraction(prefix[2])
+        step = 1 / step if prefix[1] else step
+        return Quantity(step, unit) if prefix[1] or step < 1 else Quantity(unit=unit, times=step)
     if suffix := _BEHIND.fullmatch(text):
         unit, value = known_unit(suffix[1]), number(suffix[3], decimal)
         if unit and value is not None and value > 1 and suffix[2] in "/÷":
@@ -151,18 +169,26 @@ def scaled_unit(text: str, decimal: str) -> Quantity | None:
     return Quantity(scale, inner.unit)
 
 
+def exact_decimal(number: Fraction) -> Decimal | None:
+    """A number as a decimal one; None if it has none."""
+    result = Decimal(number.numerator) / number.denominator
+    return result if Fraction(result) == number else None
+
+
 def formula(text: str, decimal: str) -> Quantity | None:
     """The scale and the offset of a linear formula, such as `x/10 - 40`; None for any other."""
     before, _, suffix = unicodedata.normalize("NFKC", text).partition("=")
     right = (suffix or before).strip()
+    if called := _CALLED.fullmatch(right):
+        right = f"x {'*' if called[1] else '/'} {called[2]}"
     if shifted := _SHIFTED.fullmatch(right):
         added, value = number(shifted[2], decimal), number(shifted[4], decimal)
         if added is None or value is None or value <= 0:
             return None
         scale = 1 / Fraction(value) if shifted[3] in ("/", "÷") else Fraction(value)
         offset = Fraction(added) * scale * (-1 if shifted[1] == "-" else 1)
-        exact = Decimal(offset.numerator) / offset.denominator
-        return Quantity(scale, "", exact) if Fraction(exact) == offset else None
+        exact = exact_decimal(offset)
+        return None if exact is None else Quantity(scale, "", exact)
     linear = _LINEAR.fullmatch(right)
     if linear is None or not (linear[1] or linear[3]):
         return None

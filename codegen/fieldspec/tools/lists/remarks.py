@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
 
-from fieldspec.language.model.encoding import is_count, is_signed
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.primitives import PRIMITIVES
-from fieldspec.tools.lists.cells import access
+from fieldspec.tools.lists.cells import access, whole
 from fieldspec.tools.lists.naming import snake
-from fieldspec.tools.lists.type_words import Typed
+from fieldspec.tools.lists.type_words import Typed, with_sign
+from fieldspec.tools.lists.value_texts import value_meanings
 
 _SPOKEN_ACCESS = re.compile(
     r"(read[ -]?only|read[ /]*(?:and |& )?write|write[ -]?only|R/W|RO|RW|WO|[RW](?=$))(?=$|\s*[,;.)(])", re.IGNORECASE
@@ -17,7 +19,11 @@ _SPOKEN_ACCESS = re.compile(
 """The access at the beginning of a description."""
 
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
-_END_OF_TYPE = re.compile(r"(0x[0-9a-f]{2,16}|-?[0-9]{3,20})\s*(?:=|:|->|→)\s*([^=:;,]{2,40})", re.IGNORECASE)
+_PHRASE = re.compile(
+    r"(0x[0-9a-f]{2,16}|-?[0-9]{1,20})\s*(?:=|:|->|→|\b(?:when|if|wenn|bei)\b)\s*([^\W\d][^=:;,]{1,40})", re.IGNORECASE
+)
+_NO_VALUE = "no_value"
+"""The name of a state whose number alone is in the list."""
 
 
 def spoken_access(described: Sequence[str]) -> str:
@@ -26,25 +32,35 @@ def spoken_access(described: Sequence[str]) -> str:
     return access(phrases[0][1]) if phrases else ""
 
 
-def states_at_ends(own_type: Typed | None, described: Sequence[str]) -> tuple[tuple[str, str], ...]:
-    """The states in descriptions, `0x7FFF = no sensor`, at the ends of the type: others may be in the unit."""
-    size = 8 * PRIMITIVES[own_type.name].size if own_type is not None and own_type.name else 0
-    if own_type is None or not size or not is_count(PRIMITIVES[own_type.name].encoding):
-        return ()
-    ends = {(1 << size) - 1, 1 << (size - 1), (1 << (size - 1)) - 1}
-    states = {}
-    for phrase in filter(None, map(_END_OF_TYPE.fullmatch, described)):
-        count = int(phrase[1], 0) % (1 << size)
-        if count in ends and abs(int(phrase[1], 0)) < 1 << size and (name := snake(phrase[2].casefold())):
-            is_negative = is_signed(PRIMITIVES[own_type.name].encoding) and count >= 1 << (size - 1)
-            states[count - (1 << size) if is_negative else count] = name
-    return tuple((str(number), name) for number, name in states.items())
-
-
-def special_states(texts: Mapping[str, str], doubts: list[str]) -> tuple[tuple[str, str], ...]:
-    """The states of a column of special values."""
+def special_states(texts: Mapping[str, str], own_type: Typed | None, doubts: list[str]) -> tuple[tuple[str, str], ...]:
+    """The states of a column of special values, which may be a number alone."""
     text = texts.get("special", "")
-    states = [_STATE.fullmatch(part.strip()) for part in text.split(";") if part.strip()]
-    if not all(states):
+    parts = [part.strip() for part in text.split(";") if part.strip()]
+    if len(parts) == 1 and (count := _count(text, own_type)) is not None:
+        return ((str(count), _NO_VALUE),)
+    phrases = [_STATE.fullmatch(part) for part in parts]
+    if not all(phrases):
         doubts.append(f"Special values in the list: {text}.")
-    return tuple((state[1], state[2]) for state in states if state)
+    return tuple((phrase[1], phrase[2]) for phrase in phrases if phrase)
+
+
+def described_states(own_type: Typed | None, described: Sequence[str]) -> Iterator[tuple[int, str, bool]]:
+    """The numbers and the names of the states in descriptions, `0x7FFF = no sensor`, and whether they are counts:
+    hexadecimal numbers and ends of the type are. Others may be in the unit."""
+    texts = [text for text in described if (choice := value_meanings(text)) is None or len(choice.members) < 2]
+    pieces = (piece.strip() for text in texts for piece in re.split(r"[;,.](?=\s|$)", text))
+    for phrase in filter(None, map(_PHRASE.fullmatch, pieces)):
+        count, name = _count(phrase[1], own_type), snake(phrase[2].casefold())
+        if count is not None and name:
+            high = PRIMITIVES[own_type.name].high if own_type is not None else 0
+            yield count, name, "x" in phrase[1].casefold() or count in (high, ~high, high >> 1, (high >> 1) + 1)
+
+
+def _count(text: str, own_type: Typed | None) -> int | None:
+    """A count of a type in a text; the bits of a negative number may be written as a positive one."""
+    kind = PRIMITIVES[own_type.name] if own_type is not None and own_type.name else None
+    number = whole(text)
+    if number is None or kind is None or not is_count(kind.encoding):
+        return None
+    count = int(with_sign(Decimal(number), kind))
+    return count if kind.low <= count <= kind.high else None

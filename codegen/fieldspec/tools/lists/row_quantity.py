@@ -9,9 +9,10 @@ from fractions import Fraction
 
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists.brackets import parted
-from fieldspec.tools.lists.cells import bounds, number, whole
+from fieldspec.tools.lists.cells import COMMA, bounds, number, whole
 from fieldspec.tools.lists.quantities import (
     Quantity,
+    exact_decimal,
     factor,
     formula,
     known_unit,
@@ -21,7 +22,7 @@ from fieldspec.tools.lists.quantities import (
     unit_cell,
 )
 from fieldspec.tools.lists.type_words import typed
-from fieldspec.tools.lists.words import folded, words
+from fieldspec.tools.lists.words import folded, meaning, words
 
 FACTORS = ("scale", "gain", "divisor")
 """The roles of columns with factors, whose direction a list may leave open."""
@@ -46,11 +47,10 @@ _FRACTION = re.compile(
     r"|(?:hundredths? of an?|hundredths? of|hundertstel|centesimi di|cent[ée]simas de|centi[èe]mes? de))\s+(\S{1,8})",
     re.IGNORECASE,
 )
-_FACTOR_AND_UNIT = re.compile(r"[x\u00d7*]\s*(10{1,5})(?:\s*(\S{1,6}))?", re.IGNORECASE)
-_DIVIDED = re.compile(r"(?:÷|/|divided? by)\s*(10{1,6})(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE)
-_PLACES = re.compile(r"X+\.(X{1,4})\s*(\S{1,6})")
 _EXAMPLE = re.compile(
-    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→)\s*([-+]?[0-9]+(?:[.,][0-9]+)?)\s*([^\s0-9]{1,5})"
+    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})(?:\s*-\s*([0-9]{1,9}))?"
+    r"(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→)"
+    r"\s*\+?(-?[0-9]+(?:[.,][0-9]+)?)(?:\s*-\s*([0-9]+(?:[.,][0-9]+)?))?\s*([^\s0-9]{1,5})"
 )
 _ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
 _SENTENCES = re.compile(r"[;\n]|[.,](?=\s|$)")
@@ -86,6 +86,8 @@ def quantity_of(
     if unit is not None and unit.unit == _COULOMB:
         is_temperature = any(word in folded(name) for name in names for word in words("measured")["K"])
         unit = replace(unit, unit="°C") if is_temperature else None
+    if unit is None and (step := number(text, decimal)) is not None and 0 < step < 1:
+        unit = Quantity(Fraction(step))
     if unit is None or (typed(unit.unit) is not None and not known_unit(unit.unit)):
         doubts.append(f"Unit in the list: {text or texts['range']}.")
         unit = Quantity()
@@ -96,13 +98,11 @@ def quantity_of(
         doubts.append(f"Offset in the list: {texts['value_offset']}.")
     if texts.get("formula"):
         linear = formula(texts["formula"], decimal)
-        if linear is None and folded(texts["formula"]) in _NO_FORMULAS:
-            pass
-        elif linear is None:
-            doubts.append(f"Formula in the list: {texts['formula']}.")
-        else:
+        if linear is not None:
             stated.append((linear.scale or Fraction(1), texts["formula"]))
             offset = offset or linear.offset
+        elif folded(texts["formula"]) not in _NO_FORMULAS:
+            doubts.append(f"Formula in the list: {texts['formula']}.")
     line = _between_bounds(texts, decimal)
     if line is not None:
         stated.append((line.scale or Fraction(1), "raw and scaled bounds"))
@@ -113,14 +113,7 @@ def quantity_of(
             for role in SCALED_BOUNDS
             if role in texts
         ]
-    powers = list(_powers(texts, doubts))
-    if "places" in texts and any(role in texts for role in FACTORS):
-        display = [
-            cell for _, cell in powers if cell == texts["places"]
-        ]  # beside a scale, it says how a value is shown
-        powers = [power for power in powers if power[1] not in display]
-        doubts += [f"Places in the list: {cell}." for cell in display]
-    stated += powers
+    stated += _powers(texts, doubts)
     for _, note in notes:
         weight = _WEIGHT.fullmatch(note.strip())
         if weight and known_unit(weight[1]):
@@ -130,7 +123,10 @@ def quantity_of(
             unit = replace(unit, unit=unit.unit or known_unit(note))
     for role in FACTORS:
         cell = factor_cell(texts, role)
-        if (count_factor := times(cell, decimal)) is not None:
+        operator, operand = meaning("operators", texts.get("operator", "")), factor(cell, decimal)
+        if operator and operand is not None:
+            stated.append((operand if operator == "multiply" else 1 / operand, texts[role]))
+        elif (count_factor := times(cell, decimal)) is not None:
             in_counts = Quantity(times=count_factor, evidence=texts[role])
         elif cell and states_direction(cell):
             bare = _TIMES.sub("", cell)
@@ -173,21 +169,26 @@ def factor_cell(texts: Mapping[str, str], role: str) -> str:
 def open_factor(texts: Mapping[str, str], role: str, decimal: str) -> Fraction | None:
     """The factor of a row whose cell does not say whether it multiplies or divides; None if it says so, or has none."""
     text = factor_cell(texts, role)
-    return None if states_direction(text) else factor(text, decimal)
+    is_stated = states_direction(text) or meaning("operators", texts.get("operator", ""))
+    return None if is_stated else factor(text, decimal)
 
 
 def example(text: str, decimal: str) -> Quantity | None:
-    """The quantity of counts with what they stand for, as in `1 = 0.1 A`; None for anything else, such as a choice."""
+    """The quantity of counts with what they stand for, as in `1 = 0.1 A`, `0 = 0 A; 60-160 = 6-16 A`; None for anything
+    else, such as a choice."""
     pairs = [_EXAMPLE.fullmatch(piece.strip()) for piece in re.split(r"\s+/\s+|[;\n]", text) if piece.strip()]
     scales, units = set(), set()
     for pair in pairs:
-        count, quantity = (number(pair[1], decimal), number(pair[2].lstrip("+"), decimal)) if pair else (None, None)
-        if pair is None or not count or not quantity:
+        if pair is None or (pair[2] is None) is not (pair[4] is None):
             return None
-        scales.add(Fraction(quantity) / Fraction(count))
-        units.add(known_unit(pair[3]))
+        for count_text, quantity_text in ((pair[1], pair[3]), (pair[2], pair[4])) if pair[2] else ((pair[1], pair[3]),):
+            count, quantity = whole(count_text), number(quantity_text, decimal or COMMA)
+            if count is None or quantity is None or bool(count) is not bool(quantity):
+                return None
+            scales |= {Fraction(quantity) / count} if count else set()
+        units.add(known_unit(pair[5]))
     scale = next(iter(scales), Fraction(0))
-    is_power = scale.numerator == 1 and set(str(scale.denominator)[1:]) == {"0"}
+    is_power = scale.numerator == 1 and set(str(scale.denominator)[1:]) <= {"0"}
     return Quantity(scale, max(units)) if len(scales) == len(units) == 1 and is_power and max(units) else None
 
 
@@ -212,24 +213,18 @@ def _described(text: str, decimal: str) -> Quantity | None:
     if after_word and (unit := known_unit(after_word[1])):
         return Quantity(unit=unit)
     if (fraction := _FRACTION.search(text)) and (unit := known_unit(fraction[2].strip(".,;)"))):
-        return Quantity(Fraction(1, 10 if fraction[1] else 100), unit)
+        return Quantity(Fraction(1, 10 if fraction[1] else 100), unit if unit != "°" else "")
     scaled_pieces = [unit_cell(piece, decimal) for piece in pieces] if len(pieces) > 1 else []
-    powers = [piece for piece in scaled_pieces if piece is not None and known_unit(piece.unit) and _is_power(piece)]
+    known = [piece for piece in scaled_pieces if piece is not None and piece.unit == known_unit(piece.unit)]
+    powers = [piece for piece in known if _is_power(piece)]
     if len(powers) == 1:
-        return replace(powers[0], evidence=text)
+        return powers[0]
     if step := _STEP.search(text):
         quantity = scaled_unit(step[1], decimal)
         return quantity if quantity is not None and known_unit(quantity.unit) else None
     for aside in _ASIDES.findall(text):
-        if (digits := _PLACES.fullmatch(aside)) and (unit := known_unit(digits[2])):
-            return Quantity(Fraction(1, 10 ** len(digits[1])), unit)
-        if (parts := _FACTOR_AND_UNIT.fullmatch(aside)) and (known_unit(parts[2] or "") or not parts[2]):
-            return Quantity(unit=known_unit(parts[2] or ""), times=Fraction(int(parts[1])), evidence=text)
-        if parts := _DIVIDED.fullmatch(aside):
-            unit = known_unit(parts[2] or "")
-            return Quantity(Fraction(1, int(parts[1])), unit) if unit or not parts[2] else None
         quantity = unit_cell(aside, decimal) if typed(aside) is None else None
-        if quantity is not None and known_unit(quantity.unit) and (quantity.times or quantity.scale):
+        if quantity is not None and (quantity.times or quantity.scale) and quantity.unit == known_unit(quantity.unit):
             return quantity
     return None
 
@@ -254,11 +249,12 @@ def decimal_places(text: str) -> int | None:
 
 
 def _powers(texts: Mapping[str, str], doubts: list[str]) -> Iterator[tuple[Fraction, str]]:
-    """The scales of a number of places, and of a power of ten."""
-    for role, sign in (("places", -1), ("exponent", 1)):
+    """The scales of a number of places, and of a power of ten. Beside a scale, places say how a value is shown."""
+    is_display = not texts.keys().isdisjoint(FACTORS)
+    for role, sign, highest in (("places", -1, 0), ("exponent", 1, _HIGHEST_EXPONENT)):
         text = texts.get(role, "")
         power = decimal_places(text) if role == "places" else whole(text)
-        if power is not None and -_HIGHEST_EXPONENT <= sign * power <= (_HIGHEST_EXPONENT if role == "exponent" else 0):
+        if power is not None and -_HIGHEST_EXPONENT <= sign * power <= highest and not (is_display and sign < 0):
             yield Fraction(10) ** (sign * power), text
         elif text:
             doubts.append(f"{role.capitalize()} in the list: {text}.")
@@ -271,9 +267,8 @@ def _between_bounds(texts: Mapping[str, str], decimal: str) -> Quantity | None:
     if raw_low is None or raw_high is None or low is None or high is None or raw_low >= raw_high or low >= high:
         return None
     scale = Fraction(high - low) / Fraction(raw_high - raw_low)
-    offset = Fraction(low) - Fraction(raw_low) * scale
-    places = Decimal(offset.numerator) / Decimal(offset.denominator)
-    return Quantity(scale, "", places) if Fraction(places) == offset else None
+    offset = exact_decimal(Fraction(low) - Fraction(raw_low) * scale)
+    return None if offset is None else Quantity(scale, "", offset)
 
 
 def _unit_of_texts(texts: Mapping[str, str], names: Sequence[str], decimal: str) -> Quantity | None:

@@ -8,35 +8,32 @@ from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass, field, replace
-from fieldspec.language.model.address_space import BIT
-from fieldspec.language.model.fact import LINES, PAGES, Citation
-from fieldspec.language.model.primitives import PRIMITIVES
-from fieldspec.language.model.value import exact_scale
+from fieldspec.language.model.fact import Citation
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.brackets import parted
-from fieldspec.tools.lists.cells import POINT, access, answer, bounds, functions, number, number_in_unit, whole
-from fieldspec.tools.lists.item import MESSAGES, REGISTERS
+from fieldspec.tools.lists.cells import COMMA, POINT, access, answer, bounds, functions, number, number_in_unit, whole
+from fieldspec.tools.lists.item import MESSAGES
 from fieldspec.tools.lists.orders import joined_order, stated_order
 from fieldspec.tools.lists.quantities import known_unit, scaled_unit
-from fieldspec.tools.lists.remarks import special_states, spoken_access, states_at_ends
+from fieldspec.tools.lists.remarks import special_states, spoken_access
 from fieldspec.tools.lists.row_quantity import FACTORS, described_range, example, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, described_order, typed
-from fieldspec.tools.lists.value_forms import type_parts
-from fieldspec.tools.lists.value_texts import Meanings, bit_names, value_meanings
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.value_texts import Meanings, bit_names, mask_bits, value_meanings
+from fieldspec.tools.lists.words import folded, meaning
 
 REGISTER, FIELD, PARAMETER, MESSAGE, SIGNAL = "register", "field", "parameter", "message", "signal"
 """The kinds of rows: exports and some formats also have fields of tables, parameters, and messages with signals."""
 
-OF_THE_MANUAL = ("section", "line", "unverified")
-"""The columns of an export about the place where the manual prints a fact."""
-
 STATES = ("zero", "one")
 """The roles of columns with the meaning of 0, and of 1."""
 
-_SECTION, _LINE = re.compile("[0-9A-Za-z.]+"), re.compile(f"({PAGES}?)([1-9][0-9]{{0,5}})")
+_SIGNLESS = ("word", "dword", "uint", "byte", "short", "long", "int", "int16", "int32", "int64")
+"""The types beside which another column may say that they have a sign, or none."""
+
+_VALUE_WORD = re.compile(r"^values?\s+(?=[-0-9])", re.IGNORECASE)
 _HIGHEST_COUNT = 0xFFFFFFFF
-_LAST_BIT, _LAST_SUBINDEX = 63, 0xFF
+_WORD_BITS = 16
+_LAST_BIT, LAST_SUBINDEX = 63, 0xFF
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,13 +67,14 @@ class ListRow:
 
     Cells that are empty, or cannot be understood, are None or empty. `texts` are the cells by role, `doubts` what
     could not be understood or contradicts something. `words` is the size that the list states, `gap` the distance
-    to the next address. `special` are states that a list has apart from other values, `scale_text` is its scale as
-    written. `factor` is a number whose direction the list leaves open, after a multiplication sign if `is_times`.
-    `scaled_by` is the text that has it, or the scale where no cell of scales has it. `bits` is the place of bits in
-    the register. `kind` is what the row is, `subindices` the first and the last one of elements of the parameter at
-    the address, `place` that of a signal in its message. `form` has the keys of how a value is sent beyond its
-    type. `parts` are the numbers of rows with its other word or with its values, `cited` the section and the line
-    of an exported row in its manual, and `is_verified` says that somebody has compared them.
+    to the next address. `special` are states that a list has apart from other values, `described` its descriptions,
+    `scale_text` is its scale as written. `factor` is a number whose direction the list leaves open, after a
+    multiplication sign if `is_times`. `scaled_by` is the text that has it, or the scale where no cell of scales has
+    it. `bits` is the place of bits in the register. `kind` is what the row is, `subindices` the first and the last
+    one of elements of the parameter at the address, `place` that of a signal in its message. `form` has the keys of
+    how a value is sent beyond its type. `parts` are the numbers of rows with its other word or with its values,
+    `cited` the section and the line of an exported row in its manual, and `is_verified` says that somebody has
+    compared them.
     """
 
     row: int
@@ -112,6 +110,7 @@ class ListRow:
     is_own: bool = False
     scale_text: str = ""
     special: tuple[tuple[str, str], ...] = ()
+    described: tuple[str, ...] = ()
     doubts: tuple[str, ...] = ()
     parts: tuple[int, ...] = ()
     cited: Citation | None = None
@@ -144,7 +143,7 @@ class Cells:
 
 def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     """A row without its address. `decimal` is the sign before a fraction, `default_order` that of other rows."""
-    texts = row.texts
+    texts = _rerouted(row.texts)
     doubts: list[str] = []
     described = [text for text in (texts.get("label", ""), *(note for _, note in row.notes)) if text]
     own_type = _type(texts, described, doubts)
@@ -170,7 +169,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         stride=max(whole(texts.get("stride", "")) or 0, 0),
         texts=texts,
         space=_space(texts, doubts),
-        bits=bits(texts.get("bit", "")),
+        bits=_bits_of_mask(texts, doubts) if "mask" in texts else bits(texts.get("bit", "")),
         scale=quantity.scale,
         factor=quantity.times or next((open_factor(texts, role, decimal) for role in FACTORS if texts.get(role)), None),
         is_times=quantity.times is not None,
@@ -182,46 +181,21 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         length=whole(
             re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
         ),
-        special=special_states(texts, doubts) or states_at_ends(own_type, described),
+        special=special_states(texts, own_type, doubts),
+        described=tuple(described),
         doubts=(*doubts, *(f"{heading} in the list: {text}." for heading, text in row.notes)),
     )
 
 
-def exported_row(row: ListRow) -> ListRow:
-    """A row of an export, whose columns need no decision: bounds are counts, and a scale is exact."""
-    text = row.texts.get("scale", "")
-    try:
-        exact = exact_scale(text) if text and not text.startswith("10^") else None
-        scale = Fraction(exact) if exact is not None else None
-    except ValueError:
-        scale = row.factor
-    own_text = text if "/" in text else ""
-    is_parameter = row.length is None and row.texts.get("type") != BIT and row.space not in ("", REGISTERS)
-    kind = PARAMETER if is_parameter else FIELD if "." in row.texts.get("name", "") else REGISTER
-    type_name, form = type_parts(row.texts.get("type", ""))
-    own_type = Typed(type_name) if type_name in PRIMITIVES else None
-    subindices = bits(row.texts.get("subindex", ""), _LAST_SUBINDEX)
-    doubts = list(row.doubts)
-    section, line, unverified = (row.texts.get(role, "") for role in OF_THE_MANUAL)
-    cited = None
-    if _SECTION.fullmatch(section) and (place := _LINE.fullmatch(line)):
-        cited = Citation(section, ((int(place[2]), int(place[2])),), place[1] or LINES)
-    else:
-        doubts += _unciting(row)
-    row = replace(row, doubts=tuple(doubts), cited=cited, is_verified=cited is not None and not unverified)
-    row = replace(row, type=own_type, form=form, kind=kind, words=row.length, is_own=True, subindices=subindices)
-    unit = row.texts.get("unit", "")
-    low, high = (number_in_unit(row.texts.get(role, "")) for role in ("min", "max"))
-    return replace(row, low=low, high=high, scale=scale, scale_text=own_text, unit=known_unit(unit) or unit)
-
-
-def uncited(row: ListRow) -> ListRow:
-    """An exported row without its place in the manual, which becomes a note."""
-    return replace(row, cited=None, is_verified=False, doubts=(*row.doubts, *_unciting(row)))
-
-
-def _unciting(row: ListRow) -> list[str]:
-    return [f"{role.capitalize()} in the list: {row.texts[role]}." for role in OF_THE_MANUAL if role in row.texts]
+def _rerouted(texts: Mapping[str, str]) -> Mapping[str, str]:
+    """The cells of a row; a cell under the heading of units is one of values, or a range, if it has these."""
+    text = _VALUE_WORD.sub("", texts.get("unit", ""))
+    meanings = value_meanings(text)
+    is_list = meanings is not None and len(meanings.members) + len(meanings.bits) > 1
+    role = "values" if is_list else "range" if bounds(text) is not None else ""
+    if not role or role in texts:
+        return texts
+    return {**{key: cell for key, cell in texts.items() if key != "unit"}, role: text}
 
 
 def _type(texts: Mapping[str, str], described: Sequence[str], doubts: list[str]) -> Typed | None:
@@ -235,7 +209,10 @@ def _type(texts: Mapping[str, str], described: Sequence[str], doubts: list[str])
         unit = texts.get("unit", "")
         asides = (parted(texts.get(role, ""))[1] for role in roles)
         type_texts = ["" if known_unit(unit) else unit, *asides, *described]
-        own_type = next((word for side in type_texts if (word := typed(side)) is not None and not word.aside), None)
+        words_of_types = [word for side in type_texts if (word := typed(side)) is not None and not word.aside]
+        pieces = (piece for text in described for piece in re.split(r"[,;]", text) if meaning("loose_types", piece))
+        signs = (word for piece in pieces if (word := typed(piece)) is not None and word.kind is Loose.WHOLE)
+        own_type = next(iter((*words_of_types, *signs)), None)
     signed_text = texts.get("signed", "")
     if not signed_text:
         return own_type
@@ -248,8 +225,8 @@ def _type(texts: Mapping[str, str], described: Sequence[str], doubts: list[str])
     elif own_type.kind is Loose.WHOLE:
         return replace(own_type, signed=signed)
     elif own_type.name[:1] in ("u", "i") and (own_type.name[0] == "i") is not signed:
-        if own_type.name[0] == "u" and folded(text) in ("word", "dword", "uint", "byte", "register", "short"):
-            return replace(own_type, name=f"i{own_type.name[1:]}")
+        if folded(text) in _SIGNLESS:
+            return replace(own_type, name=f"{'i' if signed else 'u'}{own_type.name[1:]}")
         doubts.append(f"The list says {text}, and signed: {signed_text}.")
     return own_type
 
@@ -298,6 +275,14 @@ def _space(texts: Mapping[str, str], doubts: list[str]) -> str:
     return stated
 
 
+def _bits_of_mask(texts: Mapping[str, str], doubts: list[str]) -> tuple[int, int] | None:
+    """The bits of a mask, but not for one of a whole number of words; a mask with gaps is a doubt."""
+    place = mask_bits(whole(texts["mask"]) or 0)
+    if place is None:
+        doubts.append(f"Mask in the list: {texts['mask']}.")
+    return None if place is None or (not place[0] and (place[1] + 1) % _WORD_BITS == 0) else place
+
+
 def bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:
     """The lowest and the highest of one or two numbers in a text; None if it has others, or one that is too high."""
     numbers = [int(digits) for digits in re.findall(r"[0-9]{1,3}", text)]
@@ -317,12 +302,14 @@ def _bounds(
     text = texts.get("range", "") or (values if bounds(values, decimal) is not None else "")
     if not text and (low, high) == (None, None):
         text = next((text for text in described if described_range(text, decimal)), "")
-    range_ends = bounds(text, decimal)
+    bare, aside = parted(text)
+    in_brackets = value_meanings(aside) if aside and bounds(bare, decimal) is not None else None
+    range_ends = bounds(bare if in_brackets else text, decimal)
     if range_ends is not None:
         if (low, high) != (None, None) and (low, high) != range_ends:
             doubts.append(f"Range in the list: {text}.")
-            return low, high, None
-        return *range_ends, None
+            return low, high, in_brackets
+        return *range_ends, in_brackets
     meanings = value_meanings(text) if text else None
     if text and meanings is None:
         doubts.append(f"Range in the list: {text}.")
@@ -336,7 +323,7 @@ def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[
         return Meanings(states)
     text = texts.get("values", "")
     if text:
-        if example(text, POINT) is not None or bounds(text, POINT) is not None:
+        if example(text, COMMA) is not None or bounds(text, POINT) is not None:
             return of_range or Meanings()
         meanings = value_meanings(text, single=True)
         if meanings is not None:

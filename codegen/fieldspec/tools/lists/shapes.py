@@ -5,11 +5,13 @@ from __future__ import annotations
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.row_reading import ListRow
-from fieldspec.tools.lists.type_words import Loose
+from fieldspec.tools.lists.type_words import UNSIGNED, Loose
 
 BIT = "bit"
 
-_BY_WORDS = {1: "u16", 2: "u32", 4: "u64"}
+_MOST_WORDS = 4
+"""The most words of a number."""
+
 _WORD_BITS = 16
 _WHOLE_WORDS = {"u8": "u16", "i8": "i16", "u24": "u32", "i24": "i32"}
 
@@ -37,10 +39,12 @@ def shape(row: ListRow, in_bits: bool) -> Shape:
         return Shape(BIT, 1, row.count, () if is_bit else (f"The list says {type_text}, and the space is of bits.",))
     name = own_type.of_words(row.words) if own_type is not None else ""
     if not name:
-        name = _BY_WORDS.get(row.words or 1, "bytes")
+        name = UNSIGNED.get(row.words or 1, "bytes")
         if row.low is not None and row.low < 0 and name != "bytes":
             name = name.replace("u", "i")
-        return Shape(name, row.words or 1, row.count, (), "The list does not say it.")
+        is_short = any(map(str.isalpha, type_text)) and row.words is None and 1 < row.gap <= _MOST_WORDS
+        doubts = (f"The list has a type of unknown size, and the next address is {row.gap} after.",) if is_short else ()
+        return Shape(name, row.words or 1, row.count, doubts, "The list does not say it.")
     size = (PRIMITIVES[name].size + 1) // 2
     length = own_type.length if own_type is not None else 0
     if not size:
@@ -71,7 +75,7 @@ def _of_length(name: str, words: int) -> str:
     """The type with this number of words that is like the named type."""
     if name == "f32" and words == 4:
         return "f64"
-    by_words = _BY_WORDS.get(words, "bytes")
+    by_words = UNSIGNED.get(words, "bytes")
     return by_words.replace("u", "i") if name.startswith("i") else by_words
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import reduce
+
 from fieldspec.foundation.classes import dataclass
 
 MOST_BYTES = 32 << 20
@@ -16,7 +18,11 @@ class ListError(Exception):
 
 
 class CellError(Exception):
-    """A cell that is not taken. The message says why."""
+    """A cell that is not taken. The message says why, `key` which of an object's values it is."""
+
+    def __init__(self, reason: str, key: str = "") -> None:
+        super().__init__(reason)
+        self.key = key
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +59,11 @@ class Sheet:
     heads: frozenset[int] = frozenset()
     format: str = ""
     beside: tuple[str, ...] = ()
+
+
+def column_of(text: str) -> int:
+    """The number of the column with some letters, counted from 1."""
+    return reduce(lambda number, letter: number * 26 + ord(letter) - ord("A") + 1, text.upper(), 0)
 
 
 def letters(column: int) -> str:

@@ -17,7 +17,7 @@ from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.meaning_text import meant
 from fieldspec.tools.lists.message_entries import place_of
 from fieldspec.tools.lists.message_parts import links, messages
-from fieldspec.tools.lists.naming import fresh, named
+from fieldspec.tools.lists.naming import fresh, named, snake
 from fieldspec.tools.lists.number_keys import numbers
 from fieldspec.tools.lists.orders import order_keys
 from fieldspec.tools.lists.own_parts import parameters, spaces, tables
@@ -166,7 +166,7 @@ class _Writer:
         if first_rows:
             yield "units:", 0
         for unit, row in first_rows.items():
-            name = fresh(named([unit], 0).replace("register_0000", "unit"), "unit", used)
+            name = fresh(snake(unit) or "unit", "unit", used)
             yield f"  - {{symbol: {quoted(unit)}, name: {name}, {', '.join(row.source())}}}", row.row
 
     def _group(self, space: str, places: Sequence[int]) -> Iterator[tuple[str, int]]:
@@ -215,7 +215,7 @@ class _Writer:
             doubts.append(f"Unit in the list: {texts.get('unit', unit)}.")
         if scale_by := self._scale_by.get(place, ""):
             parts.append(f"scale_by: {quoted(scale_by)}")
-            doubts = [doubt for doubt in doubts if not doubt.startswith("Scale in the list")]
+            doubts = [doubt for doubt in doubts if not doubt.startswith(("Scale in the list", "Formula in the list"))]
         parts += numbers(row, kind, bool(scale_by), doubts)
         parts += meaning.keys
         allowed = [rule for rule in self._allowed.get(row.row, ()) if row.subindices is None or rule != _ORDER]
@@ -310,7 +310,8 @@ def _name(entry: Entry) -> str:
         return entry.row.texts["name"].rpartition(".")[2]
     if entry.kind == SIGNAL and not entry.is_own:
         return f"word_{place_of(entry.row).first_byte}"
-    return named(entry.row.names if entry.is_own else (), entry.row.address)
+    kind = "object" if entry.kind == PARAMETER else "register"
+    return named(entry.row.names if entry.is_own else (), entry.row.address, kind)
 
 
 def _gaps(registers: Sequence[Entry]) -> Iterator[str]:

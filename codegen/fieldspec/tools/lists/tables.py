@@ -79,7 +79,7 @@ def _marked_tables(sheet: Sheet, names: Mapping[str, str]) -> Columns | None:
     parts: list[tuple[SheetRow, int, Columns | None]] = []
     for start, end in pairwise([*starts, len(sheet.rows)]):
         head = sheet.rows[start]
-        rows = tuple(row for row in sheet.rows[start + 1 : end] if sum(map(bool, row.cells)) > 1)
+        rows = tuple(row for row in sheet.rows[start + 1 : end] if sum(map(bool, row.cells)) > (row.cell(0) != ""))
         table = guessed_columns([[cell] if cell else [] for cell in head.cells], names, rows) if rows else None
         has_addresses = table is not None and any(is_place(table.cell(row, "address")) for row in rows)
         parts.append((head, len(rows), table if has_addresses else None))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from decimal import Decimal
 from enum import Enum
 
 from fieldspec.foundation.classes import dataclass, replace
@@ -21,14 +22,16 @@ _COMPOSED = re.compile(
     r"(?P<sign>unsigned|uns|usigned|ui|u|signed|sgn|si|s|)(?P<base>integer|int|word|float|real|double|bcd|bitfield|bitmap|bits?|enum|hex|)"
     r"(?P<bits>8|16|24|32|48|64)(?P<late>u|s|i|)(?:bits?|flags?|t|)(?P<order>|abcd|cdab|dcba|badc|be|le|sw|swapped|msw|lsw|big|little|bigendian|littleendian)"
 )
+_BESIDE_SIZE = re.compile(r"([^0-9]*?)(8|16|24|32|48|64)(?:bits?|位|ビット)?([^0-9]*)")
 _EARLY_BITS = re.compile(r"(8|16|32|64)(?:bits(?!igned)|bit|(?=u?int|float))(.*)")
 _LENGTH = re.compile(
     r"\(\s*([0-9]{1,5})\s*\)|\[\s*([0-9]{1,5})\s*\]|[\s_x*\u00d7]([0-9]{1,5})\s*(?:chars?|characters|zeichen)?\s*$"
 )
 _SCALED = re.compile(r"(.+?)\s*([/÷:*\u00d7]\s*(?:0[.,][0-9]+|10+))")
-_SIZED = re.compile(r"([0-9]{1,2})\s*-?(byte|bit|word|register)s?", re.IGNORECASE)
+_SIZED = re.compile(r"([0-9]{1,2})?\s*-?(byte|bit|word|register)s?", re.IGNORECASE)
 _ORDERED = re.compile(
-    r"(float|real|f32|u?int32|[ui]32|dint|u?dint|dword|long)[\s_-]*(sw|swap|swapped|swappedwords|inverse|rev)"
+    r"(float|real|float32|f32|u?int32|[ui]32|dint|u?dint|dword|long|[us]_[dq]word|fp32)"
+    r"[\s_-]*(sw|swap|swapped|swappedwords|inverse|rev|r)"
 )
 _ORDER_WORD = re.compile(
     r"[\s_(\[,-]+(abcd|cdab|dcba|badc|big[ -]?endian|little[ -]?endian|msw first|lsw first|be|le)[)\]]*$", re.IGNORECASE
@@ -43,10 +46,15 @@ _ORDER_PHRASE = re.compile(
     r"\b(?:low|lower|low[ -]order|least[ -]significant|high|higher|upper|high[ -]order|most[ -]significant)[ -]?"
     r"(?:word|reg(?:ister)?)s?[ -](?:first|zuerst)|\b[lm]s[wr] (?:first|zuerst)|\b(?:nieder|höher|hoch)wertiges "
     r"(?:wort|register) zuerst|\bwords? swap(?:ped)?|\bswap(?:ped)? words?|\b(?:low|high) first\b"
+    r"|\bpalabra (?:alta|baja) primero|\bmot de poids (?:fort|faible) en premier|\bparola (?:alta|bassa) prima"
     r"|\b(?:little|big)[ -]endian words?|\b[lb]e words?|\bCDAB\b|\bBADC\b|\bDCBA\b",
     re.IGNORECASE,
 )
 _OF_WORDS = re.compile(r"word|[lm]sw", re.IGNORECASE)
+
+
+UNSIGNED = {1: "u16", 2: "u32", 4: "u64"}
+"""The whole numbers without a sign by their words."""
 
 
 class Loose(Enum):
@@ -113,8 +121,14 @@ class Typed:
             return self.name
         if self.kind is Loose.TRUTH:
             return "bool16"
-        letter = "i" if self.signed else "u"
-        return {1: f"{letter}16", 2: f"{letter}32", 4: f"{letter}64"}.get(words or self.size or 1, "bytes")
+        name = UNSIGNED.get(words or self.size or 1, "bytes")
+        return name.replace("u", "i") if self.signed else name
+
+
+def with_sign(number: Decimal, primitive: Primitive) -> Decimal:
+    """A number of a type; that of a signed one may be written as the bits that are sent."""
+    is_wrapped = is_signed(primitive.encoding) and primitive.high < number < 1 << primitive.size * 8
+    return number - (1 << primitive.size * 8) if is_wrapped else number
 
 
 def typed(text: str) -> Typed | None:
@@ -188,12 +202,21 @@ def _known(text: str) -> Typed | None:
         return Typed(kind=Loose.WHOLE, digits="bcd")
     if sized := _SIZED.fullmatch(text):
         unit = {"byte": 8, "bit": 1}.get(sized[2].casefold(), _WORD_BITS)
-        return Typed(kind=Loose.WHOLE, bits=int(sized[1]) * unit)
+        return Typed(kind=Loose.WHOLE, bits=int(sized[1] or 1) * unit)
     if early := _EARLY_BITS.fullmatch(word):
         word = early[2] + early[1] if early[2] else word
         if name := meaning("types", word):
             return Typed(name)
-    return _composed(word)
+    return _composed(word) or _of_words(word)
+
+
+def _of_words(word: str) -> Typed | None:
+    """A type from its size beside a word for its kind, in any language: `Entero 32 bits`, `32位无符号整数`."""
+    parts = _BESIDE_SIZE.fullmatch(word)
+    kind = parts[1] + parts[3] if parts else ""
+    letter = {"signed": "i", "unsigned": "u"}.get(meaning("loose_types", kind), "")
+    letter = "f" if meaning("types", kind) == "f32" else letter
+    return Typed(f"{letter}{parts[2]}") if parts and f"{letter}{parts[2]}" in PRIMITIVES else None
 
 
 def _composed(word: str) -> Typed | None:

@@ -10,9 +10,14 @@ from typing import NamedTuple
 from fieldspec.foundation.classes import dataclass
 
 _PART = re.compile(
-    r"(?:(?<=^)|(?<=[\s,;/|\n.)]))(?P<bit>bits?\s*#?|b)?(?P<number>0x[0-9a-f]{1,16}|-?[0-9]{1,20})h?(?P<end>\s*(?:=|:|->|=>|→|\u2013|\u2014|\)|\s-(?=\s)|-(?=[a-z]))\s*)",
+    r"(?:(?<=^)|(?<=[\s,;/|\n.)]))(?P<bit>bits?\s*#?|b)?(?P<number>0x[0-9a-f]{1,16}|-?[0-9]{1,20})h?"
+    r"(?(bit)(?:\s*(?:\.\.+|-|~)\s*(?:bits?|b)?(?P<last>[0-9]{1,2}))?)"
+    r"(?P<end>\s*(?:=|:|->|=>|→|\u2013|\u2014|\)|\s-(?=\s)|-(?=[a-z])|-(?=\s+[^\W_]))\s*|(?(bit)\s+(?=[^\W\d])|(?!)))",
     re.IGNORECASE,
 )
+_ENDS = (",", ";", "/", "|", "\n")
+"""What stands after the name of a bit that only a blank parts from its number: `b0 ready, b1 warn`."""
+
 _BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}:[ \[(]*")
 """What may stand before the first value: `Condition: 0 = off`."""
 
@@ -58,18 +63,21 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
     parts = [part for part in parts if part["end"].strip() == parts[0]["end"].strip()]
     if parts and _BEFORE.fullmatch(text[: parts[0].start()]):
         ends = [*(part.start() for part in parts[1:]), len(text)]
-        texts = [text[part.end() : end].strip(" ,;/|.]") for part, end in zip(parts, ends, strict=True)]
-        if all(texts) and not any(map(_FURTHER.search, texts)):
+        raw_texts = [text[part.end() : end] for part, end in zip(parts, ends, strict=True)]
+        texts = [raw_text.strip(" ,;/|.]") for raw_text in raw_texts]
+        are_parted = parts[0]["end"].strip() or all(raw_text.rstrip(" ").endswith(_ENDS) for raw_text in raw_texts[:-1])
+        are_ends = parts[0]["end"].strip() == "-" and not all(any(map(str.isalpha, name)) for name in texts)
+        if all(texts) and are_parted and not are_ends and not any(map(_FURTHER.search, texts)):
             return _sorted(
                 [
-                    (bool(part["bit"]), int(part["number"], 0 if "x" in part["number"].lower() else 10), name)
+                    (bool(part["bit"]), _number(part["number"]), name, int(part["last"] or 0))
                     for part, name in zip(parts, texts, strict=True)
                 ]
             )
     simple = [_SIMPLE.fullmatch(piece.strip()) for piece in _SEPARATOR.split(text) if piece.strip()]
     if simple and all(simple) and (single or len(simple) > 1 or text.rstrip().endswith(";")):
         return _sorted(
-            [(False, int(piece[1]), piece[2].strip()) for piece in simple if piece and piece[1].lower() != "nan"]
+            [(False, int(piece[1]), piece[2].strip(), 0) for piece in simple if piece and piece[1].lower() != "nan"]
         )
     return None
 
@@ -84,16 +92,21 @@ def _of_json(text: str) -> Meanings | None:
         match = _JSON_KEY.fullmatch(str(key).strip())
         if match is None or not isinstance(value, str | int | float):
             return None
-        pairs.append((bool(match[1]), int(match[2], 0 if "x" in match[2].lower() else 10), str(value)))
+        pairs.append((bool(match[1]), _number(match[2]), str(value), 0))
     return _sorted(pairs)
 
 
-def _sorted(pairs: list[tuple[bool, int, str]]) -> Meanings | None:
-    bits = tuple(NamedBits(number, number, text) for is_bit, number, text in pairs if is_bit)
-    members = tuple((number, text) for is_bit, number, text in pairs if not is_bit)
-    if len({(is_bit, number) for is_bit, number, _ in pairs}) < len(pairs) or len(pairs) > _MOST:
+def _number(digits: str) -> int:
+    return int(digits, 0 if "x" in digits.lower() else 10)
+
+
+def _sorted(pairs: list[tuple[bool, int, str, int]]) -> Meanings | None:
+    """The meanings of values, or of bits, each with the number of its last bit, which is 0 for a single one."""
+    bits = tuple(NamedBits(number, last or number, text) for is_bit, number, text, last in pairs if is_bit)
+    members = tuple((number, text) for is_bit, number, text, _ in pairs if not is_bit)
+    if len({(is_bit, number) for is_bit, number, *_ in pairs}) < len(pairs) or len(pairs) > _MOST:
         return None
-    if not pairs or (bits and members) or any(not 0 <= bit.low < 64 for bit in bits):
+    if not pairs or (bits and members) or any(not 0 <= bit.low <= bit.high < 64 for bit in bits):
         return None
     return Meanings(members, bits)
 
@@ -116,3 +129,9 @@ def _named_bits(text: str, name: str) -> NamedBits:
     if len(ends) == 1:
         return NamedBits(*ends[0], name)
     return NamedBits(min(low for low, _ in ends), max(high for _, high in ends), name, text.replace(",", ", "))
+
+
+def mask_bits(mask: int) -> tuple[int, int] | None:
+    """The lowest and the highest bit of a mask of neighbouring bits; None for any other mask."""
+    low, high = (mask & -mask).bit_length() - 1, mask.bit_length() - 1
+    return (low, high) if 0 < mask < 1 << 64 and mask >> low == (1 << (high - low + 1)) - 1 else None

@@ -29,11 +29,11 @@ def with_values_beneath(
     following = 0
     for sheet_row in skipped:
         place = places.get(sheet_row.number - 1, place if sheet_row.number == following else None)
-        value = _value(columns, sheet_row)
-        if place is None or value is None:
+        own_values = _values(columns, sheet_row)
+        if place is None or not own_values:
             continue
         following = sheet_row.number + 1
-        beneath.setdefault(place, []).append((sheet_row.number, *value))
+        beneath.setdefault(place, []).extend((sheet_row.number, *value) for value in own_values)
     result = list(rows)
     used = set(columns.more.get("values", ()))
     for place, values in beneath.items():
@@ -47,16 +47,16 @@ def with_values_beneath(
     return replace(columns, more={**columns.more, "values": tuple(sorted(used))}), result
 
 
-def _value(columns: Columns, row: SheetRow) -> tuple[int, str, int] | None:
-    """The number, the meaning and the column of a row with nothing else."""
+def _values(columns: Columns, row: SheetRow) -> list[tuple[int, str, int]]:
+    """The numbers, each with its meaning and its column, of a row with nothing else."""
     roles = {column: role for role, column in columns.places.items()}
     filled = [(column, text) for column, text in enumerate(row.cells) if text]
     if len(filled) == 1 and roles.get(filled[0][0]) in ("values", "range"):
         meanings = value_meanings(filled[0][1])
-        return (*meanings.members[0], filled[0][0]) if meanings is not None and len(meanings.members) == 1 else None
+        return [(*member, filled[0][0]) for member in meanings.members] if meanings is not None else []
     if len(filled) != 2:
-        return None
+        return []
     (column, text), (text_column, meaning) = filled
     number = whole(text)
     is_value = roles.get(column) in _NUMBERS and roles.get(text_column) in _TEXTS and any(map(str.isalpha, meaning))
-    return (number, meaning, column) if number is not None and is_value else None
+    return [(number, meaning, column)] if number is not None and is_value else []

@@ -12,7 +12,7 @@ import zipfile
 from typing import IO
 from xml.parsers import expat
 
-from fieldspec.tools.lists.sheet import MOST_CELLS, MOST_COLUMNS, MOST_ROWS, ListError
+from fieldspec.tools.lists.sheet import MOST_CELLS, MOST_COLUMNS, MOST_ROWS, ListError, column_of
 
 _MOST_UNPACKED = 128 << 20
 _MOST_PARTS = 2_000
@@ -90,7 +90,7 @@ class _Counts:
             if self._cells > MOST_CELLS:
                 raise ListError(f"has more than {MOST_CELLS} cells; a list of registers has fewer")
             place = _PLACE.fullmatch(attributes.get("r", ""))
-            self._row, self._column = (int(place[2]), _column(place[1])) if place else (self._row, self._column + 1)
+            self._row, self._column = (int(place[2]), column_of(place[1])) if place else (self._row, self._column + 1)
         elif short in ("v", "f", "is"):
             self._reach()
         elif short == "mergeCell":
@@ -116,20 +116,12 @@ class _Counts:
     def _merge(self, area: str) -> None:
         places = [_PLACE.fullmatch(part) for part in area.split(":")]
         rows = [int(place[2]) for place in places if place]
-        columns = [_column(place[1]) for place in places if place]
+        columns = [column_of(place[1]) for place in places if place]
         if len(rows) < len(places):
             raise ListError("has merged cells without a place; save it again as .xlsx, or as CSV")
         self._merged += (max(rows) - min(rows) + 1) * (max(columns) - min(columns) + 1)
         if self._merged > MOST_CELLS or max(rows) > MOST_ROWS or max(columns) > MOST_COLUMNS:
             raise ListError(f"has merged cells as far as {area}; a list of registers has no such area")
-
-
-def _column(letters: str) -> int:
-    """The number of a column, counted from 1."""
-    number = 0
-    for letter in letters.upper():
-        number = number * 26 + ord(letter) - ord("A") + 1
-    return number
 
 
 def _refuse_declaration(*_: object) -> None:

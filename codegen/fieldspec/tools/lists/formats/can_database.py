@@ -10,6 +10,7 @@ import re
 from collections import Counter
 from decimal import Decimal
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from fieldspec.tools.lists.assumption import Assumption
@@ -134,10 +135,7 @@ def _add(rows: FormatRows, message: Any, node: str, lines: dict[tuple[int, str],
         if reason:
             rows.refuse(own_line, signal_cells, "belongs to a message that is not taken")
             continue
-        try:
-            rows.add(own_line, signal_cells, _row(identifier, signal))
-        except CellError as error:
-            rows.refuse(own_line, signal_cells, str(error))
+        rows.take(own_line, signal_cells, partial(_row, identifier, signal))
 
 
 def _direction(message: Any, node: str) -> str:

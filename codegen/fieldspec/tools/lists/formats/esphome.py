@@ -5,20 +5,24 @@ A number is sent as value * multiply; a filter of a sensor computes the value fr
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
 
 from fieldspec.foundation.classes import replace
 from fieldspec.language.reading.nodes import Mapping, Node
-from fieldspec.tools.lists.formats.format_rows import FormatRows, exact_decimal, mask_bits
+from fieldspec.tools.lists import cells
+from fieldspec.tools.lists.entries import SPACES
+from fieldspec.tools.lists.formats.format_rows import FormatRows
 from fieldspec.tools.lists.formats.yaml_items import cells_of, items, line_of, number_of, text_of, whole_of
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.listing import Listing
+from fieldspec.tools.lists.quantities import exact_decimal
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import CellError, Sheet
-from fieldspec.tools.lists.type_words import Typed
-from fieldspec.tools.lists.value_texts import Meanings
+from fieldspec.tools.lists.type_words import Typed, typed
+from fieldspec.tools.lists.value_texts import Meanings, mask_bits
 
 _ROLES = {
     "address": "address",
@@ -41,26 +45,20 @@ _ROLES = {
     "entity": "access",
 }
 _NOTES = ("lambda", "write_lambda")
-_SPACES = {
-    "holding": REGISTERS,
-    "read": "input_registers",
-    "coil": "coils",
-    "discrete_input": "discrete_inputs",
-}
-_BITS = ("coils", "discrete_inputs")
-_TYPES = {
-    "U_WORD": "u16",
-    "S_WORD": "i16",
-    "U_DWORD": "u32",
-    "S_DWORD": "i32",
-    "U_QWORD": "u64",
-    "S_QWORD": "i64",
-    "FP32": "f32",
-}
 _WRITING = ("number", "output", "select", "switch")
 _ENTITIES = ("sensor", "binary_sensor", "text_sensor", *_WRITING)
 _HOLDING_BY_DEFAULT = ("number", "output", "select")
 _SERVER = "server_registers"
+_SUBSTITUTIONS = re.compile(r"^substitutions:[ \t]*\n(?:[ \t#].*\n|\n)+", re.MULTILINE)
+_SUBSTITUTION = re.compile(r"^[ \t]+(\w+):[ \t]*[\"']?([^\"'#\n]*[^\"'#\s])", re.MULTILINE)
+_REFERENCE = re.compile(r"\$(?:\{(\w+)\}|(\w+))")
+
+
+def substituted(text: str) -> str:
+    """A text with its substitutions in place: `${device}`."""
+    section = _SUBSTITUTIONS.search(text)
+    values = dict(_SUBSTITUTION.findall(section[0])) if section else {}
+    return _REFERENCE.sub(lambda match: values.get(match[1] or match[2], match[0]), text) if values else text
 
 
 def is_configuration(node: Node) -> bool:
@@ -78,8 +76,7 @@ def configuration(node: Node, lines: int) -> tuple[Sheet, Listing]:
         try:
             row = _row(entity, item)
         except CellError as error:
-            key, _, reason = str(error).partition("\n")
-            rows.refuse(line, cells, reason, key)
+            rows.refuse(line, cells, str(error), error.key)
             continue
         place = (row.space, row.address, row.bits, row.type)
         if place in earlier:
@@ -109,15 +106,16 @@ def _entities(node: Mapping) -> Iterator[tuple[str, Mapping]]:
 
 
 def _row(entity: str, item: Mapping) -> ListRow:
-    """The row of an entity. Raises CellError with the key and the reason, parted by an end of line."""
+    """The row of an entity. Raises CellError."""
     values = item.values
     address = whole_of(values.get("address"))
     if address is None:
-        raise CellError("address\nis not an address")
+        raise CellError("is not an address", "address")
     space = _space(entity, text_of(values.get("register_type")))
     offset = whole_of(values.get("offset")) or 0
-    if space not in _BITS and offset % 2:
-        raise CellError("offset\nis half a register")
+    in_bits = SPACES[space]
+    if not in_bits and offset % 2:
+        raise CellError("is half a register", "offset")
     own_type, words, order = _type(entity, values, space)
     doubts: list[str] = []
     scale, moved = _scale(entity, values, doubts)
@@ -135,7 +133,7 @@ def _row(entity: str, item: Mapping) -> ListRow:
     writes = entity in _WRITING or "write_lambda" in values
     return ListRow(
         0,
-        address + (offset if space in _BITS else offset // 2),
+        address + (offset if in_bits else offset // 2),
         words,
         names=tuple(filter(None, (text_of(values.get("name")), text_of(values.get("id"))))),
         type=own_type,
@@ -161,38 +159,38 @@ _BOUNDS = {"min_value": "min", "max_value": "max", "unit_of_measurement": "unit"
 def _space(entity: str, text: str) -> str:
     if not text and (entity in _HOLDING_BY_DEFAULT or entity == _SERVER):
         return REGISTERS
-    if text not in _SPACES:
-        raise CellError("register_type\nis not a kind of registers" if text else "register_type\nis not stated")
-    return _SPACES[text]
+    space_name = "input_registers" if text == "read" else cells.space(text)
+    if not space_name:
+        raise CellError("is not a kind of registers" if text else "is not stated", "register_type")
+    return space_name
 
 
 def _type(entity: str, values: dict[str, Node], space: str) -> tuple[Typed, int | None, str]:
     """The type, the number of registers where it is stated, and the order of words. Raises CellError."""
-    if space in _BITS:
+    if SPACES[space]:
         return Typed("bit"), None, ""
     count, size = whole_of(values.get("register_count")), whole_of(values.get("response_size"))
     if entity == "text_sensor":
         count = count or (size + 1) // 2 if size is not None else count
         if not count or count < 0:
-            raise CellError("register_count\nis not a number of registers")
+            raise CellError("is not a number of registers", "register_count")
         is_text = text_of(values.get("raw_encode")) in ("", "NONE")
         return Typed("text" if is_text else "bytes", length=size or 0), count, ""
     text = text_of(values.get("value_type")) or "U_WORD"
-    name = _TYPES.get(text.removesuffix("_R"))
-    if name is None:
-        raise CellError("value_type\nhas no size" if text == "RAW" else "value_type\nis not a type")
-    own_type = Typed(name)
-    order = ("CDAB" if text.endswith("_R") else "ABCD") if own_type.size > 1 else ""
-    return own_type, own_type.size, order
+    own_type = typed(text)
+    if own_type is None or not own_type.name:
+        raise CellError("has no size" if text == "RAW" else "is not a type", "value_type")
+    order = (own_type.order or "ABCD") if own_type.size > 1 else ""
+    return Typed(own_type.name), own_type.size, order
 
 
 def _mask(values: dict[str, Node], space: str) -> tuple[int, int] | None:
     mask = whole_of(values.get("bitmask"))
-    if mask is None or mask == 0xFFFFFFFF or space in _BITS:
+    if mask is None or mask == 0xFFFFFFFF or SPACES[space]:
         return None
     bits = mask_bits(mask)
     if bits is None:
-        raise CellError("bitmask\nhas bits that are not adjacent")
+        raise CellError("has bits that are not adjacent", "bitmask")
     return bits
 
 

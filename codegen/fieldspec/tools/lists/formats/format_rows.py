@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from decimal import Decimal
-from fractions import Fraction
 
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.foundation.spreadsheet import clean
@@ -14,7 +13,7 @@ from fieldspec.tools.lists.column_roles import NOTE, Columns
 from fieldspec.tools.lists.listing import Listing
 from fieldspec.tools.lists.numbering import Placed
 from fieldspec.tools.lists.row_reading import ListRow
-from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
+from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, CellError, ListError, Sheet, SheetRow
 
 _LONGEST_NOTE = 400
 _LONGEST_NUMBER = 60
@@ -50,6 +49,13 @@ class FormatRows:
     def refuse(self, line: int, cells: Mapping[str, str], reason: str, key: str = "") -> None:
         """Adds an object that is not taken, for the reason, which is about a key."""
         self._append(_Item(line, cells, None, ((key, reason),)))
+
+    def take(self, line: int, cells: Mapping[str, str], read: Callable[[], ListRow]) -> None:
+        """Adds an object with the row that is read of it, or refuses it for the reason of a CellError."""
+        try:
+            self.add(line, cells, read())
+        except CellError as error:
+            self.refuse(line, cells, str(error), error.key)
 
     def _append(self, item: _Item) -> None:
         if len(self.items) >= MOST_ROWS:
@@ -114,15 +120,3 @@ def decimal(text: str) -> Decimal | None:
     except ArithmeticError:
         return None
     return number if number.is_finite() and abs(number.adjusted()) < 40 else None
-
-
-def mask_bits(mask: int) -> tuple[int, int] | None:
-    """The lowest and the highest bit of a mask of neighbouring bits; None for any other mask."""
-    low, high = (mask & -mask).bit_length() - 1, mask.bit_length() - 1
-    return (low, high) if 0 < mask < 1 << 64 and mask >> low == (1 << (high - low + 1)) - 1 else None
-
-
-def exact_decimal(number: Fraction) -> Decimal | None:
-    """A number as a decimal one; None if it has none."""
-    result = Decimal(number.numerator) / number.denominator
-    return result if Fraction(result) == number else None

@@ -16,7 +16,6 @@ from fractions import Fraction
 from typing import Any
 
 from fieldspec.foundation.classes import dataclass, field
-from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.formats.format_rows import FormatRows, decimal
@@ -24,7 +23,7 @@ from fieldspec.tools.lists.listing import Listing
 from fieldspec.tools.lists.object_rows import OBJECTS, TEXT_BYTES, object_of
 from fieldspec.tools.lists.row_reading import PARAMETER, ListRow
 from fieldspec.tools.lists.sheet import MOST_ROWS, ListError, Sheet
-from fieldspec.tools.lists.type_words import Typed
+from fieldspec.tools.lists.type_words import Typed, with_sign
 
 SIGNS = re.compile(
     r"^[ \t]*\[(?:FileInfo|DeviceInfo|DeviceComissioning|DeviceCommissioning|DummyUsage|MandatoryObjects)\]",
@@ -305,7 +304,5 @@ def _row(section: _Section, variable: Any, place: tuple[int, int] | None) -> Lis
 
 def _number(text: str, name: str) -> Decimal | None:
     """A number of a type. That of a signed one may be written as the bits that are sent, which the library has not."""
-    number, kind = decimal(text), PRIMITIVES[name]
-    if number is None or not is_signed(kind.encoding) or number <= kind.high or number >= 1 << kind.size * 8:
-        return number
-    return number - (1 << kind.size * 8)
+    number = decimal(text)
+    return None if number is None else with_sign(number, PRIMITIVES[name])

@@ -22,7 +22,7 @@ _YAML = re.compile(
 
 def _yaml(text: str, node: str) -> tuple[Sheet, Listing] | None:
     _without_nodes(node)
-    root = tree(text)
+    root = tree(esphome.substituted(text))
     lines = text.count("\n") + 1
     if solarman.is_definition(root):
         return solarman.definition(root, lines)

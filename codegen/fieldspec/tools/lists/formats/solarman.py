@@ -8,13 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from decimal import Decimal
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar
 from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.cells import functions
-from fieldspec.tools.lists.formats.format_rows import FormatRows, exact_decimal, mask_bits
+from fieldspec.tools.lists.formats.format_rows import FormatRows
 from fieldspec.tools.lists.formats.yaml_items import (
     cells_of,
     items,
@@ -26,10 +27,11 @@ from fieldspec.tools.lists.formats.yaml_items import (
 )
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.listing import Listing
+from fieldspec.tools.lists.quantities import exact_decimal
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import CellError, Sheet
 from fieldspec.tools.lists.type_words import Typed
-from fieldspec.tools.lists.value_texts import Meanings, NamedBits
+from fieldspec.tools.lists.value_texts import Meanings, NamedBits, mask_bits
 
 _ROLES = {
     "registers": "address",
@@ -79,7 +81,7 @@ def definition(node: Node, lines: int) -> tuple[Sheet, Listing]:
         inner = group.values.get("items") if isinstance(group, Mapping) else None
         for item in items(inner):
             if isinstance(item, Mapping):
-                _add(rows, item, requests)
+                rows.take(line_of(item), cells_of(item), partial(_row, item, requests))
             else:
                 rows.refuse(line_of(item), {"name": text_of(item)}, "is not an item")
     return rows.listing(lines)
@@ -96,21 +98,12 @@ def _requests(node: Mapping) -> Iterator[_Request]:
                 yield _Request(first, last, read.space)
 
 
-def _add(rows: FormatRows, item: Mapping, requests: list[_Request]) -> None:
-    line, cells = line_of(item), cells_of(item)
-    try:
-        rows.add(line, cells, _row(item, requests))
-    except CellError as error:
-        key, _, reason = str(error).partition("\n")
-        rows.refuse(line, cells, reason, key)
-
-
 def _row(item: Mapping, requests: list[_Request]) -> ListRow:
-    """The row of an item. Raises CellError with the key and the reason, parted by an end of line."""
+    """The row of an item. Raises CellError."""
     values = item.values
     registers = numbers_of(values.get("registers"))
     if "registers" not in values or not registers:
-        raise CellError("registers\nhas no registers: it is computed from other items")
+        raise CellError("has no registers: it is computed from other items", "registers")
     rule = whole_of(values.get("rule"))
     own_type, order = _type(rule, registers)
     texts: dict[str, str] = {"type": text_of(values.get("rule")), "name": text_of(values.get("name"))}
@@ -149,16 +142,16 @@ def _type(rule: int | None, registers: list[int]) -> tuple[Typed, str]:
     ascending = all(b - a == 1 for a, b in pairwise(registers))
     descending = all(a - b == 1 for a, b in pairwise(registers))
     if not (ascending or descending):
-        raise CellError("registers\nhas registers that are not consecutive")
+        raise CellError("has registers that are not consecutive", "registers")
     if rule == _TEXT and ascending:
         return Typed("text", length=len(registers) * 2), ""
     width = _WIDTHS.get(len(registers))
     if rule == _BIT_FIELD and width in (16, 32, 64):
         return Typed(f"u{width}"), "ABCD"
     if rule not in _SIGNED:
-        raise CellError(f"rule\nis {_OTHERS.get(rule or 0, 'a rule')}, which a register does not have as a type")
+        raise CellError(f"is {_OTHERS.get(rule or 0, 'a rule')}, which a register does not have as a type", "rule")
     if width is None:
-        raise CellError("registers\nare more than a number has")
+        raise CellError("are more than a number has", "registers")
     order = "" if len(registers) == 1 else "ABCD" if descending else "CDAB"
     return Typed(f"{'i' if _SIGNED[rule] else 'u'}{width}"), order
 

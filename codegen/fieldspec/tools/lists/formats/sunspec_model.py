@@ -8,12 +8,13 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator
-from decimal import Decimal
 from fractions import Fraction
+from functools import partial
 from typing import Any
 
 from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.tools.lists.assumption import Assumption
+from fieldspec.tools.lists.exponents import USUAL
 from fieldspec.tools.lists.formats.format_rows import FormatRows, decimal
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.json_text import json_data
@@ -112,9 +113,7 @@ def _groups(group: dict[str, Any]) -> Iterator[dict[str, Any]]:
 def _group(model: _Model, group: dict[str, Any], names: tuple[str, ...]) -> None:
     """Adds the points of a group and of those in it: registers, or fields of a table where it repeats."""
     count = group.get("count", 1)
-    name = fresh(
-        named([str(group.get("name", ""))], model.following).replace("register_", "group_"), "group", model.names
-    )
+    name = fresh(named([str(group.get("name", ""))], model.following, "group"), "group", model.names)
     if not names and count == 1:
         _points(model, group, (), 1)
         for inner in _groups(group):
@@ -156,17 +155,14 @@ def _points(model: _Model, group: dict[str, Any], names: tuple[str, ...], count:
         size = point.get("size")
         if not isinstance(size, int) or not 0 < size < _MOST_ELEMENTS:
             raise ListError(f"has a point {str(point.get('name'))[:60]} whose size is not a number of registers")
-        try:
-            if model.open:
-                raise CellError(f"follows {model.open}, which repeats as often as the device has it")
-            model.rows.add(line, cells, _row(model, point, names, count, size))
-        except CellError as error:
-            model.rows.refuse(line, cells, str(error))
+        model.rows.take(line, cells, partial(_row, model, point, names, count, size))
         model.following += size
 
 
 def _row(model: _Model, point: dict[str, Any], names: tuple[str, ...], count: int, size: int) -> ListRow:
     """The row of a point. Raises CellError."""
+    if model.open:
+        raise CellError(f"follows {model.open}, which repeats as often as the device has it")
     kind = str(point.get("type", ""))
     if kind not in _TYPES:
         raise CellError(f"has the type {kind[:60]}, which is not a SunSpec type")
@@ -189,7 +185,7 @@ def _row(model: _Model, point: dict[str, Any], names: tuple[str, ...], count: in
         texts |= {"name": name, "printed_name": own_name}
     unit = str(point.get("units") or "")
     states = ((absent, "not_implemented"),) if absent and constant is None and not members else ()
-    bounds = (Decimal(-10), Decimal(10)) if kind == _EXPONENT else (None, None)
+    bounds = USUAL if kind == _EXPONENT else (None, None)
     return ListRow(
         0,
         model.following,

@@ -1,0 +1,92 @@
+"""The address spaces of rows by titles, functions and numbers of kinds, and the order of words by titles."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from fieldspec.foundation.classes import replace
+from fieldspec.tools.lists import cells
+from fieldspec.tools.lists.addresses import TABLES
+from fieldspec.tools.lists.assumption import Assumption
+from fieldspec.tools.lists.brackets import parted
+from fieldspec.tools.lists.cells import functions
+from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.sheet import Sheet
+from fieldspec.tools.lists.type_words import described_order
+from fieldspec.tools.lists.words import folded
+
+_SHORTEST_TITLE, _LONGEST_TITLE, _COILS = 8, 5, "coils"
+"""The fewest letters of a title that names a space: shorter titles, such as `Inputs`, name groups; and the most words
+of one that begins with it."""
+
+
+def with_spaces(rows: list[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows of a sheet with their address spaces, and with accesses where functions show these."""
+    return _by_functions(_beneath_titles(_with_numbered_spaces(rows, assumptions), sheet, assumptions))
+
+
+def titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:
+    """The order of words that a row with only a text states for the whole list; empty where none does."""
+    orders = {order: title for title in titles(sheet).values() if (order := described_order(title))}
+    if len(orders) != 1:
+        return ""
+    ((order, title),) = orders.items()
+    assumptions.append(Assumption("order of words", order, f"`{title}`", "--order"))
+    return order
+
+
+def titles(sheet: Sheet) -> dict[int, str]:
+    """The texts of rows with nothing else, by the numbers of the rows."""
+    texts = {row.number: {*filter(None, row.cells)} for row in sheet.rows}
+    return {number: next(iter(cells_of_row)) for number, cells_of_row in texts.items() if len(cells_of_row) == 1}
+
+
+def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows; rows that name no space are in the space of the title above, a row with only the name of a space."""
+    headed: dict[int, tuple[str, str]] = {}
+    for number, text in titles(sheet).items():
+        is_long = len(folded(text)) >= _SHORTEST_TITLE or folded(text) == _COILS
+        bare, aside = parted(text.strip("#*_ "))
+        beginning = " ".join(bare.split()[:2]) if len(bare.split()) <= _LONGEST_TITLE else ""
+        if is_long and (space := cells.space(text) or cells.space(aside) or cells.space(beginning)):
+            headed[number] = space, text
+    result = []
+    title, used = ("", ""), dict[str, str]()
+    ordered = sorted(
+        [*((number, None) for number in headed), *((row.row, row) for row in rows)], key=lambda pair: pair[0]
+    )
+    for number, list_row in ordered:
+        if list_row is None:
+            title = headed[number]
+        else:
+            used |= dict([title]) if title[0] and not list_row.space else {}
+            result.append(replace(list_row, space=list_row.space or title[0]))
+    if used:
+        reading = ", ".join(f"{space} below `{text}`" for space, text in used.items())
+        assumptions.append(Assumption("address space", reading, "the titles", "--space"))
+    return result
+
+
+def _with_numbered_spaces(rows: list[ListRow], assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows, of whose spaces those that are numbers are codes of functions, or the first digits of references: what
+    is written shows which."""
+    numbers = {row.space for row in rows}
+    writable = {row.space for row in rows if row.access in ("rw", "wo")}
+    are_codes, are_digits = bool({"2"} & numbers or {"1", "3"} & writable), bool({"0"} & numbers or {"4"} & writable)
+    spaces = {code: read.space for code in "1234" if (read := functions(code))} if are_codes else TABLES
+    if are_codes is are_digits or not numbers & spaces.keys():
+        return rows
+    reading = "codes of functions" if are_codes else "first digits of references"
+    assumptions.append(Assumption("kinds of registers", reading, "the other does not fit all rows", "--space"))
+    return [replace(row, space=spaces.get(row.space, row.space)) for row in rows]
+
+
+def _by_functions(rows: list[ListRow]) -> list[ListRow]:
+    """The rows, read only where the functions that the list names for them only read, and others also write."""
+    codes = [functions(row.texts.get("function", "")) for row in rows]
+    if not any(code is not None and code.writes for code in codes):
+        return rows
+    return [
+        replace(row, access="ro") if code is not None and not code.writes and not row.access else row
+        for row, code in zip(rows, codes, strict=True)
+    ]
