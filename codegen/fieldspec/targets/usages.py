@@ -69,7 +69,7 @@ def spelling(output: str, layout: DeviceLayout, spell: Callable[[], Iterable[Usa
 def cache_spelling(output: str, layout: DeviceLayout, spell: Callable[[], Iterable[Usage]]) -> Rows:
     """Spells the code for a version where its output is built and the names are known.
 
-    Returns the code, and nothing if nobody keeps it.
+    Returns the code if a build keeps it, else nothing.
     """
     return spelling(output, layout, spell) if _at_hand else ()
 

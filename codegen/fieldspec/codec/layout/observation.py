@@ -19,7 +19,7 @@ def observed_layout(layout: DeviceLayout) -> DeviceLayout:
 
 
 def _with_link(layout: LinkLayout, link: Link) -> LinkLayout:
-    """The layout of an observed link. What it follows from counts as read: all that a link has and a fact has not."""
+    """The layout of an observed link. The attributes that a link has and other facts lack count as read."""
     for name in {*attributes(Link)}.difference(attributes(Fact)):
         getattr(link, name)
     own = layout.link  # of remote requests it has other parts
