@@ -68,6 +68,32 @@ def test_an_object_is_the_same_if_all_that_was_read_is(other: Whole, expected: b
     assert is_same(whole, other) is expected
 
 
+@dataclass(frozen=True, slots=True)
+class Holder:
+    first: Part
+    parts: dict[str, Part]
+
+    def names(self) -> list[str]:
+        return [self.first.name, *(part.name for part in self.parts.values())]
+
+
+HOLDER = Holder(Part("c", "D"), {"e": Part("e", "F")})
+
+
+@pytest.mark.parametrize(
+    ("other", "expected"),
+    [
+        (Holder(Part("c", "Another"), {"e": Part("e", "Another")}), True),
+        (Holder(Part("another", "D"), HOLDER.parts), False),
+        (Holder(HOLDER.first, {"e": Part("another", "F")}), False),
+    ],
+)
+def test_objects_alone_and_in_dictionaries_are_observed_too(other: Holder, expected: bool) -> None:
+    holder = observed(HOLDER, (Part,))
+    assert holder.names() == ["c", "e"]
+    assert is_same(holder, other) is expected
+
+
 @pytest.mark.parametrize("path", SPECS, ids=lambda path: path.parent.name)
 def test_a_layout_is_made_of_the_attributes_that_are_listed(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(identity, "identity", lambda *parts: "")

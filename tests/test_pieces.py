@@ -10,12 +10,13 @@ from typing import Any
 import pytest
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.observation import observed_layout, read_of_layout
 from fieldspec.command import pipeline
 from fieldspec.language.reading.memory import Memory
 from fieldspec.language.reading.project import read
 from fieldspec.targets import pieces
 from fieldspec.targets.c.naming import Naming
-from fieldspec.targets.pieces import Pieces, piece, using_pieces
+from fieldspec.targets.pieces import Pieces, piece, using_pieces, version_piece
 
 HEAD = """\
 device:
@@ -45,6 +46,12 @@ MAKERS = {
 NUMBER_OF_ROWS = 25
 
 
+def layouts_of(text: str, memory: Memory | None) -> list[DeviceLayout]:
+    project = read({"d/device.yaml": text.encode()}, memory=memory)
+    assert not project.findings
+    return pipeline.layouts(project.devices["d"])
+
+
 class Builds:
     """Outputs of a spec that is read and built again and again, and how often each was asked for a register."""
 
@@ -65,18 +72,13 @@ class Builds:
 
     def build(self, text: str, output: str) -> int:
         """Builds an output, which must be that of a build without memory, and says how many registers it made."""
-        layouts = self._layouts(text, self.memory)
+        layouts = layouts_of(text, self.memory)
         self.calls.clear()
         with using_pieces(self.pieces):
             files = pipeline.output(output, layouts)
         calls = self.calls[output]
-        assert files == pipeline.output(output, self._layouts(text, None))
+        assert files == pipeline.output(output, layouts_of(text, None))
         return calls
-
-    def _layouts(self, text: str, memory: Memory | None) -> list[DeviceLayout]:
-        project = read({"d/device.yaml": text.encode()}, memory=memory)
-        assert not project.findings
-        return pipeline.layouts(project.devices["d"])
 
 
 @pytest.fixture
@@ -141,3 +143,36 @@ def test_the_oldest_pieces_go_first(monkeypatch: pytest.MonkeyPatch) -> None:
             piece("kind", (fact,), (), lambda number=number: number)  # type: ignore[misc]
         again = [piece("kind", (fact,), (), lambda: -1) for fact in reversed(facts)]
     assert again == [4, 3, 2, -1, -1]
+
+
+def link_names(layout: DeviceLayout) -> list[str]:
+    return [layout.device.name, *(link.link.title for link in layout.links.values())]
+
+
+READ = {
+    "nothing": ("", "", True),
+    "what is not read": ("title: A line,", "title: A line, label: Line,", True),
+    "what is read of a link": ("title: A line,", "title: Another,", False),
+    "what is read of the device": ("name: D\n", "name: E\n", False),
+    "what the layout has": ("range: 0..7", "range: 0..9", False),
+}
+"""What is changed, and whether the names of links are the same list again."""
+
+
+@pytest.mark.parametrize("change", READ)
+def test_a_version_is_made_again_only_where_something_that_it_has_read_has_changed(change: str) -> None:
+    memory, old, new, expected = Memory(strict=True), *READ[change]
+    assert old in HEAD + ROWS
+    (before,), (after,) = (layouts_of(text, memory) for text in (HEAD + ROWS, (HEAD + ROWS).replace(old, new, 1)))
+    with using_pieces(Pieces(remembered=True)):
+        first, second = (version_piece("links", layout, (), link_names) for layout in (before, after))
+    assert (second is first, second) == (expected, link_names(after))
+
+
+def test_what_has_read_a_piece_of_a_version_has_read_what_the_piece_has_read() -> None:
+    (layout,) = layouts_of(HEAD + ROWS, None)
+    with using_pieces(Pieces(remembered=True)):
+        for _ in range(2):
+            reading = observed_layout(layout)
+            version_piece("links", reading, (), link_names)
+    assert read_of_layout(reading)["name"] == "D"

@@ -19,8 +19,8 @@ _classes: dict[type, type] = {}
 def observed(instance: Instance, inner: tuple[type, ...] = ()) -> Instance:
     """An object like another one that knows its attributes that have been read.
 
-    So do the objects in its tuples that are of the `inner` classes. A copy with other values for some attributes takes
-    the others from the observed object, when they are read.
+    So do its attributes, and the objects in its tuples and dictionaries, that are of the `inner` classes. A copy with
+    other values for some attributes takes the others from the observed object, when they are read.
     """
     cls = type(instance)
     observing: Any = _classes.get(cls) or _observing(cls)
@@ -48,6 +48,17 @@ def is_same(old: object, new: object) -> bool:
     return old == new
 
 
+def _with_observed(value: Any, inner: tuple[type, ...]) -> Any:
+    """A value, or the elements of a tuple or a dictionary, observed where they are of the `inner` classes."""
+    if isinstance(value, inner):
+        return observed(value, inner)
+    if value.__class__ is tuple:
+        return tuple([observed(item, inner) if isinstance(item, inner) else item for item in value])
+    if value.__class__ is dict:
+        return {key: observed(item, inner) if isinstance(item, inner) else item for key, item in value.items()}
+    return value
+
+
 def _observing(cls: type) -> type:
     puts = {name: getattr(cls, name).__set__ for name in attributes(cls)}  # the class itself forbids assignment
 
@@ -56,8 +67,8 @@ def _observing(cls: type) -> type:
             raise AttributeError(f"{cls.__name__} has no attribute {name}")
         source, inner, attributes_read = instance.source
         value = getattr(source, name)
-        if value.__class__ is tuple and inner:
-            value = tuple([observed(item, inner) if isinstance(item, inner) else item for item in value])
+        if inner:
+            value = _with_observed(value, inner)
         puts[name](instance, value)
         attributes_read[name] = value
         return value

@@ -12,6 +12,8 @@ from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
 from typing import Protocol, TypeVar, cast
 
+from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.observation import is_same_layout, observed_layout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.value import Value
 
@@ -40,10 +42,27 @@ class Names(Protocol):
 
 
 class Pieces:
-    """The pieces of outputs, by what they were made of."""
+    """The pieces of outputs, by what they were made of. Versions are only `remembered` where they may come again."""
 
-    def __init__(self) -> None:
+    def __init__(self, remembered: bool = False) -> None:
+        self._remembered = remembered
         self._pieces: dict[Hashable, tuple[tuple[object, ...], RequestedNames, object]] = {}
+        self._versions: dict[tuple[str, str, str], tuple[Hashable, DeviceLayout, object]] = {}
+
+    def of_version(
+        self, kind: str, layout: DeviceLayout, words: Hashable, make: Callable[[DeviceLayout], Result]
+    ) -> Result:
+        """The piece of a kind that was made of a layout in which it has read the same, or else what `make` gives."""
+        if not self._remembered:
+            return make(layout)
+        key, words = (kind, layout.device.id, layout.device.version), (words, layout.equal_versions, layout.blocks)
+        remembered = self._versions.get(key)
+        if remembered is not None and remembered[0] == words and is_same_layout(remembered[1], layout):
+            return cast("Result", remembered[2])
+        reading = observed_layout(layout)
+        result = make(reading)
+        self._versions[key] = words, reading, result
+        return result
 
     def taken(
         self,
@@ -103,6 +122,14 @@ def piece(
     The result must not be changed.
     """
     return _at_hand[0].taken(kind, facts, words, names, make) if _at_hand else make()
+
+
+def version_piece(kind: str, layout: DeviceLayout, words: Hashable, make: Callable[[DeviceLayout], Result]) -> Result:
+    """The result of `make` for a layout, which depends only on what it reads of the layout, and on words.
+
+    The last one of a version is remembered. The result must not be changed.
+    """
+    return _at_hand[0].of_version(kind, layout, words, make) if _at_hand else make(layout)
 
 
 def content_piece(kind: str, data: object, words: tuple[Hashable, ...], make: Callable[[], Result]) -> Result:

@@ -66,10 +66,18 @@ def spelling(output: str, layout: DeviceLayout, spell: Callable[[], Iterable[Usa
     return rows[version]
 
 
-def cache_spelling(output: str, layout: DeviceLayout, spell: Callable[[], Iterable[Usage]]) -> None:
-    """Spells the code for a version where its output is built and the names are known, if somebody keeps it."""
-    if _at_hand:
-        spelling(output, layout, spell)
+def cache_spelling(output: str, layout: DeviceLayout, spell: Callable[[], Iterable[Usage]]) -> Rows:
+    """Spells the code for a version where its output is built and the names are known.
+
+    Returns the code if a build keeps it, else nothing.
+    """
+    return spelling(output, layout, spell) if _at_hand else ()
+
+
+def restore_spelling(output: str, layout: DeviceLayout, rows: Rows) -> None:
+    """Keeps code that was spelled when the same output was built before."""
+    if rows:
+        cache_spelling(output, layout, rows.__iter__)
 
 
 def stored_text(versions: Mapping[str, Rows]) -> bytes:

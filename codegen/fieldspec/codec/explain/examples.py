@@ -9,7 +9,6 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.observation import is_same_layout, observed_layout
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass
-from fieldspec.foundation.observation import read_attributes
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import Erratum, Example
 
@@ -42,8 +41,8 @@ def _explained(layout: DeviceLayout) -> _Explained:
     """The explanations for a layout, with the explanations of an earlier layout in which they have read the same."""
     earlier = next((last for last in reversed(_LAST) if is_same_layout(last.layout, layout)), None)
     result = _Explained(observed_layout(layout), {**earlier.explanations} if earlier is not None else {})
-    for name in read_attributes(earlier.layout.device) if earlier is not None else ():
-        getattr(result.layout.device, name)
+    if earlier is not None:
+        is_same_layout(earlier.layout, result.layout)  # reads what the explanations have read
     _EXPLAINED[result.layout] = result  # for the request of a response
     _LAST.append(result)
     return result

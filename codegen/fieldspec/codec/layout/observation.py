@@ -3,14 +3,27 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.device import LAYOUT_ATTRIBUTES, DeviceLayout
-from fieldspec.foundation.classes import replace
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.foundation.classes import attributes, replace
 from fieldspec.foundation.observation import is_same, observed, read_attributes
 from fieldspec.language.model.device import Device, Version, VersionLine
+from fieldspec.language.model.fact import Fact, Place
+from fieldspec.language.model.link import Link
 
 
 def observed_layout(layout: DeviceLayout) -> DeviceLayout:
-    """A layout whose device, with its versions, knows what is read of it."""
-    return replace(layout, device=observed(layout.device, (VersionLine, Version)))
+    """A layout whose device, with its versions and its links, knows what is read of it."""
+    device = observed(layout.device, (VersionLine, Version, Link, Place))
+    links = {name: _with_link(link, device.links[name]) for name, link in layout.links.items()}
+    return replace(layout, device=device, links=links)
+
+
+def _with_link(layout: LinkLayout, link: Link) -> LinkLayout:
+    """The layout of an observed link. The attributes that a link has and other facts lack count as read."""
+    for name in {*attributes(Link)}.difference(attributes(Fact)):
+        getattr(link, name)
+    own = layout.link  # of remote requests it has other parts
+    return replace(layout, link=replace(link, request=own.request, response=own.response, escape=own.escape))
 
 
 def read_of_layout(layout: DeviceLayout) -> dict[str, object]:

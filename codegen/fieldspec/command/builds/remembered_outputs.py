@@ -89,4 +89,4 @@ class BuildMemory:
 
     reading: Memory = field(default_factory=lambda: Memory(strict=True))
     outputs: RememberedOutputs = field(default_factory=RememberedOutputs)
-    pieces: Pieces = field(default_factory=Pieces)
+    pieces: Pieces = field(default_factory=lambda: Pieces(remembered=True))

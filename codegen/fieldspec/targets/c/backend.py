@@ -46,9 +46,9 @@ from fieldspec.targets.c.runtime_files import all_records, copy_numbers, copy_ru
 from fieldspec.targets.c.selftest import write_selftest
 from fieldspec.targets.c.subcodes import has_subcode, subcodes_of
 from fieldspec.targets.c.usages import usage_rows, version_usages
-from fieldspec.targets.pieces import facts_of, piece
+from fieldspec.targets.pieces import facts_of, piece, version_piece
 from fieldspec.targets.templates import fill
-from fieldspec.targets.usages import Usage, VersionUsages, cache_spelling, spelling
+from fieldspec.targets.usages import Rows, Usage, VersionUsages, cache_spelling, restore_spelling, spelling
 
 _OWN_TYPES = ("codec_status", "code_text", "selftest")
 _OWN_MACROS = (
@@ -88,15 +88,21 @@ def _remaining(layout: DeviceLayout) -> Expressed:
 def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     """For each version of a device its headers, a self-test and a fuzz target; and the header that takes a version."""
     texts = _selecting_header(versions)
-    for remaining in map(_remaining, versions):
-        layout = remaining.layout
-        name = stem(layout.device.id, layout.device.version)
-        naming = Naming(layout.device.id)
-        texts |= headers(layout, naming, remaining.omissions)
-        texts[f"{name}_selftest.c"] = write_selftest(layout, naming, f"{name}.h")
-        texts[f"{name}_fuzz.c"] = write_fuzz_target(layout, naming, f"{name}.h")
-        cache_spelling("c", layout, partial(usage_rows, layout, naming))
+    for layout in versions:
+        version_texts, rows = version_piece("c", layout, (), _version)
+        texts |= version_texts
+        restore_spelling("c", layout, rows)
     return texts
+
+
+def _version(whole: DeviceLayout) -> tuple[dict[str, str], Rows]:
+    remaining = _remaining(whole)
+    layout = remaining.layout
+    name, naming = stem(layout.device.id, layout.device.version), Naming(layout.device.id)
+    texts = headers(layout, naming, remaining.omissions)
+    texts[f"{name}_selftest.c"] = write_selftest(layout, naming, f"{name}.h")
+    texts[f"{name}_fuzz.c"] = write_fuzz_target(layout, naming, f"{name}.h")
+    return texts, cache_spelling("c", layout, partial(usage_rows, layout, naming))
 
 
 def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
@@ -172,10 +178,7 @@ def _sections(naming: Naming, layout: DeviceLayout) -> tuple[tuple[str, Iterable
         ("Bit fields", _flags(naming, device)),
         ("Signals", (declare_signal(naming, signal) for signal in device.signals.values())),
         ("Conversions, which need double", _conversions(naming, layout)),
-        (
-            "Records",
-            _records(naming, layout),
-        ),
+        ("Records", _records(naming, layout)),
         ("Data of requests and responses", _messages(naming, layout)),
         ("Registers", _registers(naming, layout)),
         ("Record tables", (declare_table(naming, device, table) for table in layout.tables.values())),
@@ -228,9 +231,8 @@ def _registers(naming: Naming, layout: DeviceLayout) -> Iterator[FactBlock]:
         fact = register.register
         space = device.space_name(fact.space) if device.several_spaces else ""
         facts = (fact, *facts_of(device, fact.value))
-        yield FactBlock(
-            "register", facts, (*register.numbers, space), partial(declare_register, naming, device, register)
-        )
+        declare = partial(declare_register, naming, device, register)
+        yield FactBlock("register", facts, (*register.numbers, space), declare)
 
 
 def _print_sections(naming: Naming, layout: DeviceLayout) -> tuple[list[str], list[str]]:
@@ -249,10 +251,8 @@ def _print_sections(naming: Naming, layout: DeviceLayout) -> tuple[list[str], li
 def _print_block(printer: Printer, naming: Naming, block: Block | FactBlock) -> tuple[str, str]:
     """The constants of declarations, and the rest of them, each after an empty line; empty where there is none."""
     if isinstance(block, FactBlock):
-        declare = block.declare
-        return piece(
-            f"c {block.kind}", block.facts, block.words, lambda: _print_block(printer, naming, declare()), naming
-        )
+        kind, declare = f"c {block.kind}", block.declare
+        return piece(kind, block.facts, block.words, lambda: _print_block(printer, naming, declare()), naming)
     constants, rest = parted(block)
     return _print_lines(printer, constants), _print_lines(printer, rest)
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cached_property
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import replace
@@ -34,14 +35,14 @@ class Holding:
 
     def __init__(self, layouts: Sequence[DeviceLayout]) -> None:
         self.all = tuple(layout.device.version for layout in layouts)
-        self._by_path: dict[str, list[str]] = {}
+        self.by_path: dict[str, list[str]] = {}
         self._sections: dict[str, Section] = {}
         self._made: dict[str, tuple[object, Section]] = {}
         for layout in layouts:
             device = layout.device
             for facts in (device.examples.values(), device.notes, device.errata):
                 for fact in facts:
-                    self._by_path.setdefault(fact.place.path, []).append(device.version)
+                    self.by_path.setdefault(fact.place.path, []).append(device.version)
 
     def section(self, anchor: str, subject: object, make: Callable[[], Section]) -> Section:
         """A section built from `subject`; the section of the version before, where it was built from an equal one."""
@@ -61,7 +62,7 @@ class Holding:
 
     def of(self, path: str) -> tuple[str, ...]:
         """The versions that have a fact, the oldest first."""
-        return tuple(self._by_path.get(path, ()))
+        return tuple(self.by_path.get(path, ()))
 
     def badges(self, path: str) -> tuple[Line, ...]:
         """The badges of a fact that not all versions have; none for other facts."""
@@ -106,7 +107,6 @@ class Context:
         self.layout = layout
         self.holding = holding or Holding([layout])
         self.device: Device = layout.device
-        self.holders: dict[str, Holder] = holders(layout.device)
         self._errata: dict[str, list[str]] = defaultdict(list)
         for erratum in self.device.errata:
             self._errata[erratum.fact.partition("/restated/")[0]].append(erratum.id)
@@ -114,7 +114,15 @@ class Context:
         for note in self.device.notes:
             for path in note.about:
                 self._notes[path].append((note.place.path, note.title))
-        self._users = _users(self.holders.values())
+
+    @cached_property
+    def holders(self) -> dict[str, Holder]:
+        """The facts of the device by path."""
+        return holders(self.device)
+
+    @cached_property
+    def _users(self) -> dict[str, list[tuple[str, str]]]:
+        return _users(self.holders.values())
 
     def section_title(self, title: str, fact: Fact) -> Line:
         """A title in English with what the manual prints."""

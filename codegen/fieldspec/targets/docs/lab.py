@@ -17,6 +17,7 @@ from fieldspec.targets.docs.site import PagePlace, policy
 from fieldspec.targets.explainer.codecs import javascript
 from fieldspec.targets.explainer.device import explainer_data
 from fieldspec.targets.explainer.literals import Data, lines
+from fieldspec.targets.pieces import version_piece
 from fieldspec.targets.templates import fill, style_sheet, text
 
 NAME = "lab"
@@ -77,11 +78,14 @@ def files(layouts: Sequence[DeviceLayout], place: PagePlace) -> dict[str, str]:
         scripts=SCRIPTS,
     )
     data = {
-        f"{device.id}/{NAME}-{page_name(layout.device.version)}.js": "fieldspecLab.add("
-        f"{explainer_data(layout)}, {lines(request_data(layout), 2)});\n"
+        f"{device.id}/{NAME}-{page_name(layout.device.version)}.js": version_piece("frame lab", layout, (), _data)
         for layout in versions
     }
     return {f"{device.id}/{NAME}.html": page, **data}
+
+
+def _data(layout: DeviceLayout) -> str:
+    return f"fieldspecLab.add({explainer_data(layout)}, {lines(request_data(layout), 2)});\n"
 
 
 def request_data(layout: DeviceLayout) -> dict[str, Data]:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import replace
 from fieldspec.foundation.html_text import clean
 from fieldspec.language.model.fact import Citation
@@ -37,6 +39,7 @@ from fieldspec.targets.docs.records import records, tables
 from fieldspec.targets.docs.registers import registers, spaces
 from fieldspec.targets.docs.tasks import tasks
 from fieldspec.targets.docs.units import units
+from fieldspec.targets.pieces import version_piece
 
 COLUMNS = (TableColumn("Section", unbroken=True), TableColumn("Facts", "number", unbroken=True))
 
@@ -105,10 +108,18 @@ SECTIONS = (
 
 def page(layout: DeviceLayout, holding: Holding) -> Document:
     """The page of a device at one version. Sections in which nothing would stand are left out."""
-    context = Context(layout, holding)
     device = layout.device
-    all_sections = [section(context) for section in SECTIONS]
-    sections = tuple(_shared(section, holding) for section in all_sections if section.blocks or section.sections)
+    contexts: ByIdentity[DeviceLayout, Context] = ByIdentity()
+
+    def section_of(make: Callable[[Context], Section], own: DeviceLayout) -> Section:
+        section = make(contexts.get_or_compute(own, lambda own: Context(own, holding)))
+        return replace(section, sections=tuple(map(holding.same, section.sections)), rendered={})
+
+    all_sections = [
+        version_piece(f"section {make.__name__}", layout, (holding.all, holding.by_path), partial(section_of, make))
+        for make in SECTIONS
+    ]
+    sections = tuple(section for section in all_sections if section.blocks or section.sections)
     title = f"{device.name}, {version_title(device)}" if device.lines else device.name
     return Document(
         clean(title),
@@ -118,11 +129,6 @@ def page(layout: DeviceLayout, holding: Holding) -> Document:
         tuple(_summary(layout)),
         sections,
     )
-
-
-def _shared(section: Section, holding: Holding) -> Section:
-    """A section in which those stand that the version before has too."""
-    return replace(section, sections=tuple(map(holding.same, section.sections)))
 
 
 def _summary(layout: DeviceLayout) -> Iterator[Line]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass
@@ -22,6 +23,7 @@ from fieldspec.targets.docs.document import (
     TableColumn,
     TableRow,
 )
+from fieldspec.targets.pieces import piece
 
 NAME = "search-index.js"
 """The file of a device."""
@@ -122,13 +124,19 @@ def _entry_row(entry: Entry, versions: int) -> list[object]:
 
 def _entries(document: Document, table_keys: Mapping[str, str]) -> Iterator[Entry]:
     """The facts of a page: sections, and the rows of their tables."""
+    words = tuple(table_keys.items())
     for section in document.sections:
         if section.anchor not in _UNSEARCHED:
             for inner in section.sections or (section,):
-                yield from _of_section(section.anchor, inner, table_keys)
+                make = partial(_of_section, section.anchor, inner, table_keys)
+                yield from piece("search entries", (inner,), (section.anchor, words), make)
 
 
-def _of_section(kind: str, section: Section, table_keys: Mapping[str, str]) -> Iterator[Entry]:
+def _of_section(kind: str, section: Section, table_keys: Mapping[str, str]) -> tuple[Entry, ...]:
+    return tuple(_section_entries(kind, section, table_keys))
+
+
+def _section_entries(kind: str, section: Section, table_keys: Mapping[str, str]) -> Iterator[Entry]:
     terms = {term: _texts(lines) for block in section.blocks if isinstance(block, Facts) for term, lines in block.rows}
     title = _line_text(section.title)
     keys = [word for term in _NUMBER_TERMS for text in terms.get(term, ()) for word in text.split() if word[0] != "("]
@@ -143,7 +151,7 @@ def _of_section(kind: str, section: Section, table_keys: Mapping[str, str]) -> I
                 if row.anchor or kind == "lookups":
                     yield _of_row(kind, title, section.anchor, block, row, table_keys)
     for inner in section.sections:
-        yield from _of_section(kind, inner, table_keys)
+        yield from _section_entries(kind, inner, table_keys)
 
 
 def _of_row(

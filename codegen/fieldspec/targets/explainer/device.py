@@ -17,6 +17,7 @@ from fieldspec.targets.explainer.records import message_data, record_data
 from fieldspec.targets.explainer.registers import gaps_data, register_data, set_data, table_data
 from fieldspec.targets.explainer.values import enum_data, stated, word_data
 from fieldspec.targets.explainer.wire import used_functions
+from fieldspec.targets.pieces import version_piece
 
 _LINES = 2
 """The depth down to which each entry has a line of its own."""
@@ -24,6 +25,10 @@ _LINES = 2
 
 def explainer_data(layout: DeviceLayout) -> str:
     """The data of the explainer, as a function of JavaScript. Its argument has what checksums and escapes call."""
+    return version_piece("explainer", layout, (), _explainer_data)
+
+
+def _explainer_data(layout: DeviceLayout) -> str:
     data, codecs = lines(device_data(layout), _LINES), codec_constants(layout)
     body = "\n".join(["{", *codecs, f"return {data};", "}"]) if codecs else f"({data})"
     functions = ", ".join(used_functions(layout))

@@ -17,8 +17,9 @@ from fieldspec.targets.js.module import declarations, module_texts, remaining
 from fieldspec.targets.js.naming import module_scope
 from fieldspec.targets.js.usages import usage_rows
 from fieldspec.targets.js.usages import usages as usages
+from fieldspec.targets.pieces import version_piece
 from fieldspec.targets.templates import text
-from fieldspec.targets.usages import cache_spelling
+from fieldspec.targets.usages import Rows, cache_spelling, restore_spelling
 
 RUNTIME = (
     "absent",
@@ -39,6 +40,18 @@ RUNTIME = (
 """The modules that all devices share, copied from `runtime/`."""
 
 PACKAGE = "fieldspec-devices"
+
+
+def _version(path: str, whole: DeviceLayout) -> tuple[dict[str, str], Rows]:
+    """The modules of a version, whose paths begin alike, and its code for facts."""
+    remaining_device = remaining(whole)
+    layout = remaining_device.layout
+    names = Names(layout, module_scope())
+    declared = declarations(names)
+    code, types = module_texts(layout, declared, remaining_device.omissions)
+    explainer = explainer_files(whole, f"{path}_explain") if layout.links else {}
+    rows = cache_spelling("js", layout, partial(usage_rows, names, declared))
+    return {f"{path}.js": code, f"{path}.d.ts": types, **explainer}, rows
 
 
 def shared() -> dict[str, str]:
@@ -78,17 +91,11 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     folder = Name.of(device.id).snake().replace("_", "-")
     modules = {layout.device.version: version_word(layout.device.version) for layout in versions}
     texts: dict[str, str] = {}
-    for whole in versions:
-        remaining_device = remaining(whole)
-        layout = remaining_device.layout
-        names = Names(layout, module_scope())
-        declared = declarations(names)
-        code, types = module_texts(layout, declared, remaining_device.omissions)
-        cache_spelling("js", layout, partial(usage_rows, names, declared))
-        texts[f"{folder}/{modules[layout.device.version]}.js"] = code
-        texts[f"{folder}/{modules[layout.device.version]}.d.ts"] = types
-        if layout.links:
-            texts |= explainer_files(whole, f"{folder}/{modules[layout.device.version]}_explain")
+    for layout in versions:
+        path = f"{folder}/{modules[layout.device.version]}"
+        version_texts, rows = version_piece("js", layout, path, partial(_version, path))
+        texts |= version_texts
+        restore_spelling("js", layout, rows)
     modules |= {equal: modules[layout.device.version] for layout in versions for equal in layout.equal_versions}
     newest = modules[device.version]
     if versions[-1].links:

@@ -10,7 +10,7 @@ from typing import Any
 from fieldspec.codec.layout.detection import version_lines
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.targets.fact_texts import sentence
-from fieldspec.targets.pieces import piece
+from fieldspec.targets.pieces import piece, version_piece
 from fieldspec.targets.python.client import client_view
 from fieldspec.targets.python.codecs import codec_modules
 from fieldspec.targets.python.detection import detection_view
@@ -22,7 +22,7 @@ from fieldspec.targets.python.text import docstring, literal
 from fieldspec.targets.python.usages import usage_rows
 from fieldspec.targets.python.usages import usages as usages
 from fieldspec.targets.templates import fill, text
-from fieldspec.targets.usages import cache_spelling
+from fieldspec.targets.usages import Rows, cache_spelling, restore_spelling
 
 PACKAGE = "fieldspec_devices"
 PACKAGE_NAMES = ("client", "for_firmware", "latest")
@@ -88,13 +88,13 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
     folder = f"{PACKAGE}/{package_name(device.id)}"
     modules = {layout.device.version: scope.take(module_name(layout.device.version)) for layout in versions}
     texts: dict[str, str] = {}
+    codecs: dict[str, str] = {}
     for layout in versions:
-        module = modules[layout.device.version]
-        view = device_view(layout)
-        texts |= _module(folder, module, view)
-        texts |= _client(layout, f"{folder}/{module}_client.py", module, view)
-        cache_spelling("python", layout, partial(usage_rows, layout, view))
-    codecs = {name: text for layout in versions for name, text in codec_modules(layout).items()}
+        place = folder, modules[layout.device.version]
+        module_texts, codec_texts, rows = version_piece("python", layout, place, partial(_version, *place))
+        texts |= module_texts
+        codecs |= codec_texts
+        restore_spelling("python", layout, rows)
     texts |= {f"{folder}/{name}.py": text for name, text in codecs.items()}
     module_lines = [
         f" {modules[layout.device.version]}: version {', '.join((layout.device.version, *layout.equal_versions))},"
@@ -131,6 +131,13 @@ def files(versions: Sequence[DeviceLayout]) -> dict[str, str]:
             type=detection_view(versions[-1])["type"],
         )
     return texts
+
+
+def _version(folder: str, module: str, layout: DeviceLayout) -> tuple[dict[str, str], dict[str, str], Rows]:
+    """The modules of a version by path, the modules with its codecs by name, and its code for facts."""
+    view = device_view(layout)
+    texts = _module(folder, module, view) | _client(layout, f"{folder}/{module}_client.py", module, view)
+    return texts, codec_modules(layout), cache_spelling("python", layout, partial(usage_rows, layout, view))
 
 
 _CLASSES = {"enum": "python/enum.py.j2", "word": "python/flags.py.j2"}

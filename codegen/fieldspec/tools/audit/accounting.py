@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections import Counter, defaultdict
+from collections import Counter, defaultdict, deque
 from collections.abc import Iterator, Sequence
 from typing import TypeVar
 
@@ -61,8 +61,23 @@ class Accounts:
     beside: Sequence[tuple[int, int, int]]
 
 
+_LAST: deque[tuple[AlignedManual, Plan, LineCitations, Accounts]] = deque(maxlen=4)
+
+
 def accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Accounts:
-    """Accounts for a manual line by line: first by patterns, then by any number on a line without a match."""
+    """Accounts for a manual line by line: first by patterns, then by any number on a line without a match.
+
+    A process that audits again and again takes the last accounts of the same.
+    """
+    for last_manual, last_plan, last_cited, accounts in _LAST:
+        if last_plan is plan and last_manual == manual and last_cited == cited:
+            return accounts
+    accounts = _accounts_of(manual, plan, cited)
+    _LAST.append((manual, plan, cited, accounts))
+    return accounts
+
+
+def _accounts_of(manual: AlignedManual, plan: Plan, cited: LineCitations) -> Accounts:
     candidates: list[Candidate] = []
     used: set[int] = set()
     needed_paths: set[str] = set()

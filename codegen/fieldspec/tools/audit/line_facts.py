@@ -51,10 +51,19 @@ class LineCitations:
         return self.by_line.get(line) or LineFacts()
 
 
+_CITATIONS: ByIdentity[Sequence[Sequence[FactRow]], LineCitations] = ByIdentity(limit=1)
+
+
 def line_citations(
     spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Sequence[FactRow]]
 ) -> LineCitations:
-    """The citations of all versions by line; `facts` are the rows of each layout."""
+    """The citations of all versions by line; `facts` are the rows of each layout. Two sections of an audit ask."""
+    return _CITATIONS.get_or_compute(facts, lambda facts: _line_citations(spec, layouts, facts))
+
+
+def _line_citations(
+    spec: DeviceSpec, layouts: Sequence[DeviceLayout], facts: Sequence[Sequence[FactRow]]
+) -> LineCitations:
     by_line: dict[int, LineFacts] = defaultdict(LineFacts)
     known: set[object] = set()
     shared: set[int] = set()
@@ -75,14 +84,11 @@ def line_citations(
                 known.add(f"erratum {erratum.id}")
                 for line in lines_of(erratum.sources):
                     by_line[line].errata.append(erratum)
-    cited_lines: set[int] = set()
-    visited: ByIdentity[Node, None] = ByIdentity()
-    for tree in (spec.tree, *spec.trees.values()):
-        _collect_lines(tree, cited_lines, visited)
+    cited_lines = frozenset[int]().union(*map(_lines_in, (spec.tree, *spec.trees.values())))
     elided = frozenset(
         example.place.path for layout in layouts for example in layout.device.examples.values() if example.elided
     )
-    return LineCitations(dict(by_line), frozenset(cited_lines | by_line.keys()), elided)
+    return LineCitations(dict(by_line), cited_lines | by_line.keys(), elided)
 
 
 def _completed(rows: Sequence[FactRow]) -> Iterator[FactRow]:
@@ -101,17 +107,17 @@ def lines_of(sources: Sequence[Citation]) -> Iterator[int]:
             yield from range(first, last + 1)
 
 
-def _collect_lines(node: Node, lines: set[int], visited: ByIdentity[Node, None]) -> None:
-    """Adds the lines that texts of a node cite. Versions share most nodes: `visited` has the facts of
-    other versions.
-    """
-    if node in visited:
-        return
-    visited[node] = None
+_LINES: ByIdentity[Node, frozenset[int]] = ByIdentity(limit=100_000)
+"""The lines that nodes cite. Versions share most nodes, and the next spec that is read has most of them, too."""
+
+
+def _lines_in(node: Node) -> frozenset[int]:
+    """The lines that texts of a node cite."""
     if isinstance(node, Scalar):
-        for match in _IN_TEXT.finditer(node.text) if "L" in node.text else ():
-            lines.update(lines_of(citations(match[0], "")))
-        return
-    for key, inner in children(node):
-        if key not in _NO_CITATIONS:
-            _collect_lines(inner, lines, visited)
+        matches = _IN_TEXT.finditer(node.text) if "L" in node.text else ()
+        return frozenset(line for match in matches for line in lines_of(citations(match[0], "")))
+    return _LINES.get_or_compute(node, _lines_below)
+
+
+def _lines_below(node: Node) -> frozenset[int]:
+    return frozenset[int]().union(*[_lines_in(inner) for key, inner in children(node) if key not in _NO_CITATIONS])

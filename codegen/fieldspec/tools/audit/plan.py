@@ -9,6 +9,7 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from operator import attrgetter
 
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.fact import Place
@@ -108,22 +109,32 @@ def plan_of(spec: DeviceSpec, lines: int) -> tuple[Plan | None, list[Diagnostic]
     node = spec.tree.values.get("audit")
     if not isinstance(node, Mapping):
         return None, findings
-    entry = Entry(node, "audit", findings)
+    plans = _PLANS.get_or_compute(node, lambda _: {})
+    if lines not in plans:
+        plan = _plan(Entry(node, "audit", findings), lines)
+        if findings:
+            return plan, findings
+        plans[lines] = plan
+    return plans[lines], findings
+
+
+_PLANS: ByIdentity[Mapping, dict[int, Plan]] = ByIdentity(limit=16)
+"""The plans without findings, by the section of a spec and the length of the manual."""
+
+
+def _plan(entry: Entry, lines: int) -> Plan:
     sections = _sections(entry, lines)
-    return (
-        Plan(
-            entry.place(),
-            sections,
-            tuple(_patterns(entry, sections, lines)),
-            tuple(_omissions(entry, "left_out", sections, lines)),
-            Omission(entry.place(), tuple((section.first, section.first) for section in sections), "", None, HEADINGS),
-            tuple(
-                Unprinted(unprinted.place(), unprinted.texts("facts"), unprinted.text("reason"))
-                for unprinted in entry.entries("unprinted")
-            ),
-            tuple(_omissions(entry, "without_behaviour", sections, lines)),
+    return Plan(
+        entry.place(),
+        sections,
+        tuple(_patterns(entry, sections, lines)),
+        tuple(_omissions(entry, "left_out", sections, lines)),
+        Omission(entry.place(), tuple((section.first, section.first) for section in sections), "", None, HEADINGS),
+        tuple(
+            Unprinted(unprinted.place(), unprinted.texts("facts"), unprinted.text("reason"))
+            for unprinted in entry.entries("unprinted")
         ),
-        findings,
+        tuple(_omissions(entry, "without_behaviour", sections, lines)),
     )
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from decimal import Decimal
+from typing import cast
 
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.checksums import SIMPLE
 from fieldspec.language.model.escape import CAN_BITS, Escape
@@ -12,7 +14,7 @@ from fieldspec.language.model.preamble import Preamble
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.value import Value
 from fieldspec.language.reading.building.checksums import algorithm_of, avoiding, surrounded_algorithm
-from fieldspec.language.reading.building.context import Entry
+from fieldspec.language.reading.building.context import Entry, Reused, rows
 from fieldspec.language.reading.building.escapes import escape
 from fieldspec.language.reading.building.values import VALUE_KEYS, value
 
@@ -50,8 +52,8 @@ _HELP = {
 }
 
 
-def link(entry: Entry) -> Link:
-    """The link that an entry states."""
+def link(entry: Entry, reused: Reused) -> Link:
+    """The link that an entry states. `reused` has the parts and unit addresses of other versions."""
     exception, silence, names = (
         entry.entry("exception_response"),
         entry.entry("silence"),
@@ -59,7 +61,12 @@ def link(entry: Entry) -> Link:
     )
     escaping, can = entry.entry("escape"), entry.entry("can")
     order = entry.text("byte_order")
-    request = tuple(_part(inner, order) for inner in entry.entries("request"))
+
+    def parts(direction: str) -> tuple[Part, ...]:
+        path = f"{entry.path}/{direction}"
+        return rows(entry, path, None, reused, lambda inner: _part(inner, order), order, key=direction)
+
+    request = parts("request")
     delimiters, preamble = _delimiters(entry), _preamble(entry)
     if preamble is not None:
         delimiters |= {key: preamble.start + delimiters[key] for key in ("start", "response_start")}
@@ -76,12 +83,12 @@ def link(entry: Entry) -> Link:
         byte_order=entry.text("byte_order"),
         word_order=entry.text("word_order"),
         request=request,
-        response=tuple(_part(inner, order) for inner in entry.entries("response")),
+        response=parts("response"),
         message_name=entry.text("message_name") or "message",
         request_name=names.text("request") if names and names.text("request") else "request",
         response_name=names.text("response") if names and names.text("response") else "response",
         exception_response=_exception_response(exception) if exception else None,
-        unit_addresses=_unit_addresses(entry),
+        unit_addresses=_unit_addresses(entry, reused),
         serial=_serial(entry),
         network=_network(entry),
         is_default=entry.flag("default"),
@@ -205,11 +212,15 @@ def _value(entry: Entry, bits: tuple[int, int] | None) -> Value:
     return replace(own, ranges=Ranges(((0, highest),)))
 
 
-def _unit_addresses(entry: Entry) -> UnitAddresses | None:
+def _unit_addresses(entry: Entry, reused: Reused) -> UnitAddresses | None:
     addresses = entry.entry("unit_addresses")
     if addresses is None:
         return None
-    return UnitAddresses(
+    same = reused.setdefault((addresses.path, addresses.section, addresses.sources), ByIdentity())
+    if addresses.node in same:
+        return cast("UnitAddresses", same[addresses.node])
+    before = len(entry.findings)
+    result = UnitAddresses(
         place=addresses.place(),
         ranges=addresses.whole_ranges("range"),
         broadcast=addresses.integer("broadcast"),
@@ -217,6 +228,9 @@ def _unit_addresses(entry: Entry) -> UnitAddresses | None:
         notes=addresses.texts("notes"),
         sources=addresses.sources,
     )
+    if len(entry.findings) == before:  # a finding is for every version
+        same[addresses.node] = result
+    return result
 
 
 def _silence(silence: Entry | None, key: str) -> Decimal | None:
