@@ -171,12 +171,11 @@ def _is_wide(encoding: Encoding, dialect: Dialect) -> bool:
 
 def _unknown(fact: Fact, kind: Primitive, dialect: Dialect) -> Refusal:
     code = "plc_reals_fit" if is_real(kind.encoding) else "plc_numbers_fit"
-    return _refusal(
-        fact, code, f"{fact.name} is {kind.name}, a number that the functions for {dialect.title} cannot convert"
-    )
+    text = f"{fact.name} is {kind.name}, a number that the functions for {dialect.title} cannot convert"
+    return _refuse(code, fact, text)
 
 
-def _refusal(fact: Fact, code: str, text: str) -> Refusal:
+def _refuse(code: str, fact: Fact, text: str) -> Refusal:
     place = fact.place["type" if "type" in fact.place else "name"]
     return Refusal(fact, Diagnostic(code, text, place, help=LEAVE_OUT))
 
@@ -280,12 +279,12 @@ def _doc(name: str, word: str, doc: str) -> str:
 
 def _refused(field: FieldLayout, dialect: Dialect) -> Refusal:
     text = f"{field.name} holds numbers of 64 bits in a list, which {dialect.title} can neither hold nor split"
-    return _refusal(field.field, "plc_numbers_fit", text)
+    return _refuse("plc_numbers_fit", field.field, text)
 
 
 def _nested(field: FieldLayout, dialect: Dialect) -> Refusal:
     text = f"{field.name} is a list of texts, and {dialect.title} has no arrays of arrays"
-    return _refusal(field.field, "plc_arrays_flat", text)
+    return _refuse("plc_arrays_flat", field.field, text)
 
 
 def absent_reals(layout: DeviceLayout, dialect: Dialect) -> list[Refusal]:
