@@ -688,13 +688,27 @@ function fits(presence, number, elements) {
 
 const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.clz32(mask & -mask)}..${31 - Math.clz32(mask)}`;
 
-function countedBytes({ at, length, little, unit, plus = 0, most, element, presence }, bytes) {
-  if (!length) return most;
-  let number = 0;
-  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+function countedBytes(list, bytes) {
+  const { length, unit, plus = 0, most, element, presence, more } = list;
+  if (!length) return more ? element : most;
+  let number = numberIn(list, bytes);
   if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
   if (presence) number = decidingBits(presence, number);
   return (number - plus) * unit;
+}
+
+function numberIn({ at, length, little }, bytes) {
+  let number = 0;
+  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+  return number;
+}
+
+const follows = (more, bytes) => more.numbers.includes(decidingBits(more, numberIn(more, bytes)));
+
+function elementsInImage({ element, most, more }, image, start) {
+  let count = 1;
+  while (count * element < most && follows(more, image.subarray(start + (count - 1) * element, start + count * element))) count++;
+  return count;
 }
 
 function decidedBytes({ at, length, little, sizes }, bytes) {
@@ -780,6 +794,7 @@ function elementBytes(parts, bytes) {
 }
 
 function elementsIn(list, data, size, start) {
+  const { more } = list;
   const elements = [];
   let at = 0;
   while (size === null ? at < data.length : elements.length * list.element < size) {
@@ -788,6 +803,10 @@ function elementsIn(list, data, size, start) {
     if (own.fault) return { fault: { reason: own.fault.reason, at: start + at + own.fault.at } };
     if (at + own.size > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
     elements.push(own.size);
+    if (more && follows(more, data.subarray(at, at + own.size))) {
+      if (size === list.most) return { fault: { reason: "wrong_measure", at: start + at + more.at } };
+      size += list.element;
+    }
     at += own.size;
   }
   if (elements.length * list.element < list.least) return { fault: { reason: "incomplete", at: start + at } };
@@ -804,7 +823,7 @@ function extentsIn({ fixed, lists }, data) {
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
-    const counted = isLast && !list.decision ? null : sizeIn(list, image);
+    const counted = isLast && !list.decision && !list.more ? null : sizeIn(list, image);
     if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
     const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
@@ -817,7 +836,9 @@ function extentsIn({ fixed, lists }, data) {
       if (isLast && extent.numbers * list.element < list.least) return { extents, fault: { reason: "incomplete", at: at + left } };
       if (isLast && taken < left) return { extents, fault: { reason: "wrong_length", at: at + taken } };
     }
-    if (isLast && list.decision && counted < left) return { extents, fault: { reason: "wrong_length", at: at + counted } };
+    if (isLast && (list.decision || list.more) && extent.size < left) {
+      return { extents, fault: { reason: "wrong_length", at: at + extent.size } };
+    }
     extents.push(extent);
     before += extent.size;
   }
@@ -883,9 +904,10 @@ function sentOfImage({ fixed, lists }, image, last) {
   const pieces = [];
   let at = 0;
   for (const list of lists) {
-    const { first, room, element, parts } = list;
+    const { first, room, element, parts, more } = list;
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
-    const size = decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
+    let size = decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
+    if (more && list !== lists.at(-1)) size *= elementsInImage(list, image, room);
     pieces.push(...image.subarray(at, first));
     if (list.packing) pieces.push(...packedList(list, image.subarray(room, room + size)));
     else for (let from = room; from < room + size; from += parts ? element : size) {
@@ -2355,15 +2377,17 @@ class ExplainedBody {
 
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
-    const { decision, packing, parts, presence, countName } = list;
+    const { decision, packing, parts, presence, countName, more } = list;
     let { reason } = this.fault;
     let text;
     if (this.hasWrongCount(list)) {
       text = `${countName} is not a number of ${name}, so it is unknown where they end`;
     } else if (decision && reason === "unknown_value") {
       text = `${decision.name} ${valueText(this.values.get(decision.name))} does not decide the type of ${name}`;
-    } else if (decision && reason === "wrong_length") {
+    } else if ((decision || more) && reason === "wrong_length") {
       text = `${name} has ${this.fault.at - (at - this.start)} bytes, and more follow`;
+    } else if (parts && !parts.lists.length && reason === "wrong_measure") {
+      text = `${name} has more than ${list.most / list.element} elements`;
     } else if (packing && reason === "wrong_length") {
       text = `${name} has more bytes than its numbers of ${packing.bits} bits`;
     } else if (parts) {
@@ -3673,12 +3697,14 @@ function encodeRecord(device, record, values) {
   const form = formOfValues(record, values);
   if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
   const known = new Map();
+  const sent = new Map();
   const fields = form.fields.map((field) => decidedField(form, field, values));
   for (const field of fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
   const bytes = joinedBytes(fields.map((field) => {
     if (!field.measures) {
       const list = form.inner?.lists.find(({ name }) => name === field.name);
       const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
+      sent.set(field.name, elements);
       const own = joinedBytes(list?.parts || list?.decision ? elements.map((bytes) => padded(bytes, list.element)) : elements);
       return list && list !== form.inner.lists.at(-1) ? padded(own, list.most) : own;
     }
@@ -3688,10 +3714,14 @@ function encodeRecord(device, record, values) {
     const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
-  for (const { name, presence } of fields.filter((field) => field.presence)) {
-    const [number] = known.get(presence.by);
-    if (fits(presence, number, known.get(name).length)) continue;
-    throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
+  for (const { name, presence } of fields) {
+    const [number] = presence ? known.get(presence.by) : [];
+    if (presence && !fits(presence, number, known.get(name).length)) {
+      throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
+    }
+    const more = form.inner?.lists.find((list) => list.name === name)?.more;
+    const wrong = more ? sent.get(name).findIndex((bytes, index, { length }) => follows(more, bytes) !== index < length - 1) : -1;
+    if (wrong >= 0) throw new CodecError("wrong_measure", `element ${wrong} of ${name} is wrong about whether another one follows`);
   }
   if (form.inner) {
     const last = form.fields.at(-1);

@@ -286,3 +286,19 @@ def _float(draft: Draft, keys: Spec, place: str) -> None:
         states = [{"value": draft.pick(numbers[:2]), "name": "overflow"}]
         states += [{"value": draft.pick(numbers[2:]), "name": "underflow"}] * draft.chance(30)
         keys["sentinels"] = draft.pick(([nan], [nan], states, states, [nan, *states]))
+
+
+def packed_list(draft: Draft, limits: Spec, least: int = 1) -> Spec:
+    """A list of numbers of at least so many bits that follow each other without filling bytes."""
+    size = draft.pick([own for own in (8, 16, 24, 32) if own > least])
+    bits = draft.number(least, size - 1)
+    letter = draft.pick("ui")
+    low, high = (0, (1 << bits) - 1) if letter == "u" else (-(1 << bits - 1), (1 << bits - 1) - 1)
+    keys: Spec = {"type": f"{letter}{size}", "packed_bits": bits, **limits}
+    if draft.chance(50):
+        keys["byte_order"] = draft.pick(("big", "little"))
+    if draft.chance(30):
+        keys["range"] = f"{draft.number(low, high)}..{high}"
+    if draft.chance(20):
+        keys |= {"scale": draft.pick((0.1, 0.5, 2)), "unit": "V"}
+    return draft.fact(**keys)

@@ -168,8 +168,10 @@ class Body:
             text = f"{inner.count} is not a number of {name}, so it is unknown where they end"
         elif inner.decision is not None and reason == "unknown_value":
             text = f"{inner.decision.name} {self.values[inner.decision.name]!r} does not decide the type of {name}"
-        elif inner.decision is not None and reason == "wrong_length":
+        elif (inner.decision is not None or inner.continuation is not None) and reason == "wrong_length":
             text = f"{inner.name} has {self.fault.at - (offset - self.start)} bytes, and more follow"
+        elif inner.parts is not None and not inner.parts.lists and reason == "wrong_measure":
+            text = f"{inner.name} has more than {inner.most // inner.element} elements"
         elif inner.packing is not None and reason == "wrong_length":
             text = f"{inner.name} has more bytes than its numbers of {inner.packing.number.bits} bits"
         elif inner.parts is not None:

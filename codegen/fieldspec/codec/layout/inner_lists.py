@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from fieldspec.codec.layout.continuation import Continuation, continuation_data
 from fieldspec.codec.layout.packing import Packing, packing_data
 from fieldspec.codec.layout.presence import PresenceLayout, presence_data
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
@@ -48,7 +49,8 @@ class InnerList:
     `count` is empty where the number is always the same, and where the data end with the list and the fields
     after it. `parts` tell the size of an element from its bytes, a `decision` from a field before it; both are None
     where all have the same size. Elements with a `packing` are sent in fewer bits than they have in the image. With a
-    `presence`, bits of the number say whether the only element is sent, or have the count.
+    `presence`, bits of the number say whether the only element is sent, or have the count. With a `continuation`, each
+    element says whether another one follows, wherever the list is, and a number whether there is a first one.
     """
 
     name: str
@@ -67,6 +69,7 @@ class InnerList:
     decision: Decision | None = None
     packing: Packing | None = None
     presence: PresenceLayout | None = None
+    continuation: Continuation | None = None
 
     def size_of(self, number: int) -> int | None:
         """The bytes in the image if the count is a number, None if it may not be that number."""
@@ -83,8 +86,23 @@ class InnerList:
         return int.from_bytes(image[self.count_at : self.count_at + self.count_size], order)
 
     def size_in(self, image: bytes) -> int | None:
-        """The bytes in the image of a list that does not end with the data, None for a wrong count."""
+        """The bytes in the image of a list that does not end with the data, None for a wrong count.
+
+        Of a list whose elements say which is the last, it is those of the first one.
+        """
+        if self.continuation is not None and not self.count:
+            return self.element
         return self.size_of(self.count_in(image)) if self.count else self.most
+
+    def room_size_in(self, image: bytes) -> int | None:
+        """The same, in an image that has the elements as well."""
+        size = self.size_in(image)
+        if self.continuation is not None and size:
+            while size < self.most and self.continuation.follows(
+                image[self.room + size - self.element : self.room + size]
+            ):
+                size += self.element
+        return size
 
     def sent_size(self, size: int) -> int:
         """The bytes that are sent for `size` bytes of the image, of elements that do not differ in size."""
@@ -147,12 +165,15 @@ class InnerLists:
         if inner.decision is not None:
             return self._decided(inner, inner.decision, image, len(data), extents)
         size = None
-        if inner is not self.last:
+        if inner is not self.last or inner.continuation is not None:
             size = inner.size_in(image)
             if size is None:
                 return self._wrong_number(inner, extents)
         if inner.parts is not None:
-            return _elements(inner, inner.parts, data, size, start)
+            extent = _elements(inner, inner.parts, data, size, start)
+            if inner is self.last and isinstance(extent, ListExtent) and extent.size < len(data):
+                return ListFault("wrong_length", start + extent.size)
+            return extent
         if inner.packing is not None and size is None:
             return _packed_numbers(inner, inner.packing, len(data), start)
         size = size if size is None else inner.sent_size(size)
@@ -235,7 +256,7 @@ class InnerLists:
         """The bytes that are sent for a list in an image."""
         piece = image[inner.room :]
         if inner is not self.last:
-            piece = piece[: inner.size_in(image)]
+            piece = piece[: inner.room_size_in(image)]
         if inner.decision is not None:
             return piece[: inner.decision.size_in(image)]
         if inner.packing is not None:
@@ -274,9 +295,12 @@ def _place_in_list(inner: InnerList, extent: ListExtent, offset: int) -> int:
 
 
 def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None, start: int) -> ListExtent | ListFault:
-    """The elements of a list whose elements differ in size: those within `size` bytes of the image, or all."""
+    """The elements of a list whose elements differ in size: those within `size` bytes of the image, or all.
+
+    They may say that more follow.
+    """
     sizes: list[int] = []
-    offset = 0
+    offset, more = 0, inner.continuation
     while offset < len(data) if size is None else len(sizes) * inner.element < size:
         if len(sizes) * inner.element == inner.most:
             return ListFault("wrong_length", start + offset)
@@ -286,6 +310,10 @@ def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None
         if offset + element_size > len(data):
             return ListFault("incomplete", start + len(data))
         sizes.append(element_size)
+        if more is not None and size is not None and more.follows(data[offset : offset + element_size]):
+            if size == inner.most:
+                return ListFault("wrong_measure", start + offset + more.offset)
+            size += inner.element
         offset += element_size
     if len(sizes) * inner.element < inner.least:
         return ListFault("incomplete", start + offset)
@@ -318,7 +346,9 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
     packing = {"packing": packing_data(row.packing)} if row.packing is not None else {}
     presence = {"presence": presence_data(row.presence)} if row.presence is not None else {}
     places = {"first": row.first, "room": row.room}
-    return {**names, **places, **bounds, **count, **plus, **is_little, **parts, **decision, **packing, **presence}
+    more = {"more": continuation_data(row.continuation)} if row.continuation is not None else {}
+    extents = {**places, **bounds, **count, **plus, **is_little}
+    return {**names, **extents, **parts, **decision, **packing, **presence, **more}
 
 
 def _decision_row(row: Decision) -> dict[str, Any]:

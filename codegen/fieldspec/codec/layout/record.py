@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import takewhile
 
+from fieldspec.codec.layout.continuation import Continuation
 from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
 from fieldspec.codec.layout.packing import Packing, packing_of
 from fieldspec.codec.layout.presence import PresenceLayout
@@ -47,7 +48,7 @@ class FieldLayout:
     with the bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of
     equal sizes the number to write first; it is empty if all bytes are the value. For the bit count of a write
     request, `bits_of` is the list into whose bytes the bits are packed; it is empty for other fields. `presence`
-    says what decides whether it is sent, None where it always is.
+    says what decides whether it is sent, None where it always is; a `continuation` what its elements say of the next.
     """
 
     field: Field
@@ -65,6 +66,7 @@ class FieldLayout:
     forms: Mapping[int, FieldLayout] = classes.field(default_factory=dict)
     selector: FieldLayout | None = None
     presence: PresenceLayout | None = None
+    continuation: Continuation | None = None
 
     @property
     def carries_bytes(self) -> bool:
@@ -239,7 +241,8 @@ class RecordLayout:
     def has_single_list(self) -> bool:
         """Whether the number of elements of its only list, each of whole bytes, decides its size."""
         lists = [field for field in self.fields if field.count is None]
-        return not self.has_differing and len(lists) == 1 and not any(field.packing for field in self.fields)
+        is_open = any(field.packing or field.continuation for field in self.fields)
+        return not self.has_differing and len(lists) == 1 and not is_open
 
     def room_of(self, field: FieldLayout) -> InnerList | None:
         """The room of a list that another list follows in an image, None for other fields."""
@@ -278,11 +281,12 @@ class RecordLayout:
         )
         return replace(self, fields=tuple(fields))
 
-    def with_bit_counts(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Raw values with the bits that count lists as these have elements."""
+    def with_list_bits(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Raw values with the bits that count lists, or say that another element follows, as these have elements."""
         counts = [(own.name, own.presence) for own in self.fields if own.presence and own.has_count_in_bits]
         numbers = {own.by: own.filled(values[own.by], len(values[name])) for name, own in counts}
-        return {**values, **numbers}
+        lists = {own.name: own.continuation.ended(values[own.name]) for own in self.fields if own.continuation}
+        return {**values, **numbers, **lists}
 
     def of_number(self, number: object) -> RecordLayout | None:
         """The record for a value of the selector, None if it decides none."""
@@ -311,7 +315,8 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
         element = 1 if is_text else field.size
         low, high = (0, field.size) if is_text else field.bounds
         inner = InnerList(field.name, first, room, element, low * element, high * element, packing=field.packing)
-        if is_element or field is not last:
+        inner = replace(inner, continuation=field.continuation)
+        if is_element or field is not last or field.continuation is not None:
             find_count = text_count if is_text else list_count
             if field.presence is not None:
                 decider = by_name[field.presence.by]
@@ -322,6 +327,8 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
                 inner = _with_count(inner, by_name[count.name], places[count.name])
         if field.record is not None and field.record.size is None:
             inner = replace(inner, parts=inner_lists_of(field.record, is_element=True))
+        elif field.continuation is not None:
+            inner = replace(inner, parts=InnerLists((), field.size))
         if field.selector is not None:
             inner = replace(inner, decision=_decision(field, field.selector, places[field.selector.name]))
         lists.append(inner)

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from fieldspec.codec.layout.presence import presence_layout
+from fieldspec.codec.layout.continuation import Continuation
+from fieldspec.codec.layout.presence import PresenceLayout, presence_layout
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, Orders, RecordLayout, inner_lists_of
 from fieldspec.codec.layout.widths import Span
-from fieldspec.foundation.classes import replace
+from fieldspec.foundation.classes import TYPE_CHECKING, replace
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.record import Choice, Field, Record, text_count
+from fieldspec.language.model.stated_bits import legal_numbers, stated_bits
+
+if TYPE_CHECKING:
+    from typing import Literal
 
 
 def record_layout(
@@ -30,6 +35,11 @@ def _varies(field: Field, records: Mapping[str, RecordLayout]) -> bool:
     if field.record and records[field.record].size is None:
         return True
     return field.repeat is not None or field.choice is not None or _is_packed(field)
+
+
+def _is_never_open(field: Field) -> bool:
+    """Whether the end of the data does not end a field, even if that comes last."""
+    return field.choice is not None or field.continuation is not None or _is_packed(field)
 
 
 def _is_packed(field: Field) -> bool:
@@ -93,7 +103,7 @@ def _fixed(
     fields: list[FieldLayout] = []
     differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
     lists = [field for field in record.fields if _varies(field, records)]
-    is_inner = any(field is not record.fields[-1] or field.choice or _is_packed(field) for field in lists)
+    is_inner = any(field is not record.fields[-1] or _is_never_open(field) for field in lists)
     is_inner |= bool(differing)
     remaining_fields = [field for field in record.fields if field not in lists]
     for field in (*remaining_fields, *lists) if is_inner else record.fields:
@@ -107,7 +117,8 @@ def _fixed(
         field_layout = FieldLayout(
             field, field.name, offset, size, count, field.value, nested, order, swapped, cases, sizes
         )
-        field_layout = replace(field_layout, presence=presence_layout(record, field.name, size, enums))
+        presence, continuation = presence_layout(record, field.name, size, enums), _continuation(field_layout, enums)
+        field_layout = replace(field_layout, presence=presence, continuation=continuation)
         fields.append(_with_forms(field_layout, fields))
         offset += size * (field.repeat.high if field.repeat is not None else count or 1)
     if any(field.value is not None and field.value.width for field in fields):
@@ -120,6 +131,20 @@ def _fixed(
     maximum = fixed + sum(field.sent_bounds[1] for field in varying)
     layout = RecordLayout(record, record.name, tuple(fields), None, minimum, maximum)
     return replace(layout, inner_lists=inner_lists_of(layout)) if is_inner else layout
+
+
+def _continuation(field: FieldLayout, enums: Mapping[str, Enum]) -> Continuation | None:
+    """What each element of a field says of the next one; None for other fields."""
+    more = field.field.continuation
+    decider = field.record.named(more.by) if more is not None and field.record is not None else field
+    if more is None or decider is None or decider.value is None:
+        return None
+    presence = PresenceLayout(more.by, *stated_bits(more, decider.value, enums))
+    offset = decider.offset if field.record is not None else 0
+    order: Literal["big", "little"] = "big" if decider.order == "big" else "little"
+    is_free = more.bit is not None and not decider.value.enum and decider.value.writable_ranges is None
+    legal = None if is_free else legal_numbers(more, decider.value, enums)
+    return Continuation(presence, offset, decider.size, order, legal)
 
 
 def _with_forms(field: FieldLayout, before: list[FieldLayout]) -> FieldLayout:

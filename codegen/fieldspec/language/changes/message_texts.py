@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from fieldspec.foundation.classes import replace
 from fieldspec.language.changes.comparison import Comparison, fields_beside
-from fieldspec.language.model.record import STEP_FIELDS, Field, Message
+from fieldspec.language.model.record import STEP_FIELDS, Field, Message, Presence
 
 
 def segments_text(comparison: Comparison | None, message: Message) -> str:
@@ -65,14 +66,27 @@ def _renamed(comparison: Comparison, message: Message, name: str) -> str:
 
 def presence_text(comparison: Comparison | None, holder_path: str, field: Field) -> str:
     """What says whether a field is sent, with the names of the new state; empty where nothing does."""
-    presence = field.presence
-    if presence is None:
+    if field.presence is None:
         return ""
+    fields = () if comparison is None else fields_beside(field, comparison.old)
+    return _bits_text(comparison, holder_path, field.presence, fields)
+
+
+def continuation_text(comparison: Comparison | None, field: Field) -> str:
+    """What says whether another element follows, with the names of the new state; empty where nothing does."""
+    if field.continuation is None:
+        return ""
+    element = comparison.old.records.get(field.record) if comparison is not None else None
+    fields = (replace(field, name=""),) if element is None else element.fields
+    return _bits_text(comparison, f"records/{field.record}", field.continuation, fields)
+
+
+def _bits_text(comparison: Comparison | None, holder_path: str, presence: Presence, fields: tuple[Field, ...]) -> str:
+    """The bits or members of one of some fields that say that something is sent."""
     name = presence.by if comparison is None else comparison.renamed_to(holder_path, presence.by)
     if presence.bit is not None:
-        return f"bit {presence.bit} of {name} if it is {presence.value}"
-    fields = () if comparison is None else fields_beside(field, comparison.old)
+        return f"bit {presence.bit} of {name or 'each element'} if it is {presence.value}"
     enum = next((own.value.enum for own in fields if own.name == presence.by and own.value is not None), "")
     path = f"enums/{enum}"
     members = [comparison.renamed_to(path, own) if comparison is not None else own for own in presence.when]
-    return f"{name} if it is {' or '.join(sorted(members))}"
+    return f"{name or 'each element'} if it is {' or '.join(sorted(members))}"

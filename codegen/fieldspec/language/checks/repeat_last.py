@@ -81,7 +81,7 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
         other for other in layer.fields[:index] if (own := other.stated_measure) is not None and own.field == field.name
     ]
     varying = next((other for other in later_fields if not sizes.is_fixed(other)), None)
-    is_open = field.repeat is not None and not field.is_optional and field.choice is None
+    is_open = field.repeat is not None and not field.tells_end and field.choice is None
     is_open &= varying is not None or not is_body
     last = varying or later_fields[-1]
     if is_open and not counts:

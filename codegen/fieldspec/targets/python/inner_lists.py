@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from fieldspec.codec.layout.continuation import Continuation
 from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
 from fieldspec.codec.layout.packing import Packing
 from fieldspec.codec.layout.presence import PresenceLayout
@@ -30,8 +31,17 @@ def _inner_list_row(inner: InnerList, letters: str = "") -> str:
     decision = f", decision={_decision(inner.decision)}" if inner.decision is not None else ""
     packing = f", packing={_packing(inner.packing)}" if inner.packing is not None else ""
     presence = f", presence={_presence(inner.presence)}" if inner.presence is not None else ""
+    more = f", more={_more(inner.continuation)}" if inner.continuation is not None else ""
     places = f"{inner.first}, {inner.room}{count}"
-    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{parts}{decision}{packing}{presence})"
+    options = f"{parts}{decision}{packing}{presence}{more}"
+    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{options})"
+
+
+def _more(continuation: Continuation) -> str:
+    """`_More(0, 1, "big", 128, (128,))`: what an element says of the next one."""
+    presence = continuation.presence
+    place = f"{continuation.offset}, {continuation.size}, {literal(continuation.order)}"
+    return f"_More({place}, {presence.mask}, {tuple_of(presence.numbers)})"
 
 
 def _presence(presence: PresenceLayout) -> str:

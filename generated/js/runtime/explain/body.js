@@ -94,15 +94,17 @@ export class ExplainedBody {
   /** The row from a list on whose bytes nobody knows. */
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
-    const { decision, packing, parts, presence, countName } = list;
+    const { decision, packing, parts, presence, countName, more } = list;
     let { reason } = this.fault;
     let text;
     if (this.hasWrongCount(list)) {
       text = `${countName} is not a number of ${name}, so it is unknown where they end`;
     } else if (decision && reason === "unknown_value") {
       text = `${decision.name} ${valueText(this.values.get(decision.name))} does not decide the type of ${name}`;
-    } else if (decision && reason === "wrong_length") {
+    } else if ((decision || more) && reason === "wrong_length") {
       text = `${name} has ${this.fault.at - (at - this.start)} bytes, and more follow`;
+    } else if (parts && !parts.lists.length && reason === "wrong_measure") {
+      text = `${name} has more than ${list.most / list.element} elements`;
     } else if (packing && reason === "wrong_length") {
       text = `${name} has more bytes than its numbers of ${packing.bits} bits`;
     } else if (parts) {

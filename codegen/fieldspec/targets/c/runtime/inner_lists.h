@@ -9,13 +9,17 @@ typedef size_t (*device_element_size)(const uint8_t *in, size_t left);
 /** The bytes of a field whose type another one decides, as an image says; SIZE_MAX where that decides nothing. */
 typedef size_t (*device_decided_size)(const uint8_t *in);
 
+/** 1 if another element of a list follows one, else 0. */
+typedef size_t (*device_follows)(const uint8_t *in);
+
 /**
  * A list with fields after it, which begins after `first` bytes of other fields, and at `room` in the image of its
  * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
  * element. At `count_at` in the image, in `count_size` bytes, is the number of units of `unit` bytes, plus `plus`; where
  * `mask` is not 0, in these bits. A `count_size` of 0 is that of a list that always has `most` bytes. The data decide the
  * size of the last one.
- * `element_size` is NULL where all elements have the same size, or `decided_size` tells that of the only element. Numbers
+ * `element_size` is NULL where all elements have the same size, or `decided_size` tells that of the only element; with
+ * `follows`, that of the first element, and each element tells whether another one follows, wherever the list is. Numbers
  * of `bits` bits are packed, from the highest bit or where they are `low_first` from the lowest; it is 0 for whole bytes.
  */
 typedef struct device_inner_list {
@@ -32,10 +36,27 @@ typedef struct device_inner_list {
     uint32_t mask;
     device_element_size element_size;
     device_decided_size decided_size;
+    device_follows follows;
     size_t bits;
     bool is_low_first;
     bool is_signed;
 } device_inner_list;
+
+/** The elements of a list with a first one, in an image with room for at most some of them. */
+static inline size_t device_count_elements(device_follows follows, const uint8_t *image, size_t element, size_t most)
+{
+    size_t count = 1u;
+    while (count < most && follows(image + (count - 1u) * element) != 0u) {
+        count++;
+    }
+    return count;
+}
+
+/** The bytes of the first element of a list whose elements tell whether others follow; 0 if there is none. */
+static inline size_t device_first_element(const device_inner_list *list, const uint8_t *image)
+{
+    return list->decided_size != NULL && list->decided_size(image) == 0u ? 0u : list->element;
+}
 
 /** The bytes of a list, as its count in an image says; SIZE_MAX for a count that cannot be right. */
 static inline size_t device_list_size(const device_inner_list *list, const uint8_t *image)
@@ -43,6 +64,11 @@ static inline size_t device_list_size(const device_inner_list *list, const uint8
     const uint8_t *count = image + list->count_at;
     uint32_t bits = 0u;
     size_t number, size;
+    if (list->follows != NULL) {
+        size = device_first_element(list, image);
+        number = list->most / list->element;
+        return size == 0u ? 0u : device_count_elements(list->follows, image + list->room, size, number) * size;
+    }
     if (list->count_size == 0u) {
         return list->most;
     }
@@ -109,8 +135,9 @@ static inline void device_pack_list(const device_inner_list *list, const uint8_t
 }
 
 /**
- * Writes the image of a list whose elements differ in size, unless `image` is NULL: as many of them as have `size` bytes
- * there, or all to the end, where that is SIZE_MAX. `*size` receives the bytes in the image, `*taken` those that were read.
+ * Writes the image of a list whose elements differ in size or tell whether others follow, unless `image` is NULL: as many
+ * of them as have `size` bytes there, or all to the end, where that is SIZE_MAX. `*size` receives the bytes in the image,
+ * `*taken` those that were read.
  */
 static inline device_codec_status device_take_elements(const device_inner_list *list, const uint8_t *in, size_t left,
         uint8_t *image, size_t *size, size_t *taken)
@@ -121,7 +148,7 @@ static inline device_codec_status device_take_elements(const device_inner_list *
         if (to == list->most) {
             return DEVICE_ERR_WRONG_LENGTH;
         }
-        own = list->element_size(in + from, left - from);
+        own = list->element_size == NULL ? list->element : list->element_size(in + from, left - from);
         if (own == 0u || own == SIZE_MAX) {
             return own == 0u ? DEVICE_ERR_WRONG_MEASURE : DEVICE_ERR_UNKNOWN_VALUE;
         }
@@ -130,6 +157,12 @@ static inline device_codec_status device_take_elements(const device_inner_list *
         }
         if (image != NULL) {
             device_copy_bytes(image + to, in + from, own);
+        }
+        if (list->follows != NULL && list->follows(in + from) != 0u) {
+            if (*size == list->most) {
+                return DEVICE_ERR_WRONG_MEASURE;
+            }
+            *size += list->element;
         }
         from += own;
         to += list->element;
@@ -156,11 +189,16 @@ static inline size_t device_sent_size(const device_inner_list *lists, size_t cou
         device_copy_bytes(fields + at, in + from, list->first - at);
         from += list->first - at;
         at = list->first;
-        size = taken = list->decided_size != NULL ? list->decided_size(fields) : device_list_size(list, fields);
+        if (list->follows != NULL) {
+            size = device_first_element(list, fields);
+        } else {
+            size = list->decided_size != NULL ? list->decided_size(fields) : device_list_size(list, fields);
+        }
+        taken = size;
         if (size == SIZE_MAX) {
             return list->decided_size != NULL ? SIZE_MAX : 0u;
         }
-        if (list->element_size != NULL) {
+        if (list->element_size != NULL || list->follows != NULL) {
             device_codec_status status = device_take_elements(list, in + from, left - from, NULL, &size, &taken);
             if (status != DEVICE_OK) {
                 return status == DEVICE_ERR_INCOMPLETE ? left + 1u : status == DEVICE_ERR_UNKNOWN_VALUE ? SIZE_MAX : 0u;
@@ -192,7 +230,9 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
         from += list->first - at;
         at = list->first;
         left = length - from - (fixed - at);
-        if (list->decided_size != NULL) {
+        if (list->follows != NULL) {
+            size = device_first_element(list, image);
+        } else if (list->decided_size != NULL) {
             size = list->decided_size(image);
             if (size == SIZE_MAX) {
                 return DEVICE_ERR_UNKNOWN_VALUE;
@@ -206,10 +246,13 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
                 return DEVICE_ERR_WRONG_MEASURE;
             }
         }
-        if (list->element_size != NULL) {
+        if (list->element_size != NULL || list->follows != NULL) {
             device_codec_status status = device_take_elements(list, in + from, left, image + list->room, &size, &taken);
             if (status != DEVICE_OK) {
                 return status;
+            }
+            if (index + 1u == count && taken < left) {
+                return DEVICE_ERR_WRONG_LENGTH;
             }
         } else if (list->bits != 0u) {
             size_t numbers = 8u * left / list->bits;
@@ -236,7 +279,7 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
             taken = size;
         }
         from += taken;
-        *image_length = list->room + (list->decided_size != NULL ? list->most : size);
+        *image_length = list->room + (list->decided_size != NULL && list->follows == NULL ? list->most : size);
     }
     device_copy_bytes(image + at, in + from, fixed - at);
     return DEVICE_OK;
@@ -250,7 +293,7 @@ static inline size_t device_place_list(const device_inner_list *list, const uint
 {
     const uint8_t *image = fields + list->room;
     size_t from, to = 0;
-    if (list->decided_size != NULL) {
+    if (list->decided_size != NULL && list->follows == NULL) {
         size = list->decided_size(fields);
     }
     if (list->bits != 0u) {

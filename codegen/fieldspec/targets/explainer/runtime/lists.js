@@ -17,13 +17,30 @@ export function fits(presence, number, elements) {
 export const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.clz32(mask & -mask)}..${31 - Math.clz32(mask)}`;
 
 /** The bytes in the image of a list that does not end with the data, as its count in some bytes says. */
-function countedBytes({ at, length, little, unit, plus = 0, most, element, presence }, bytes) {
-  if (!length) return most;
-  let number = 0;
-  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+function countedBytes(list, bytes) {
+  const { length, unit, plus = 0, most, element, presence, more } = list;
+  if (!length) return more ? element : most;
+  let number = numberIn(list, bytes);
   if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
   if (presence) number = decidingBits(presence, number);
   return (number - plus) * unit;
+}
+
+/** The number of up to four bytes at a place. */
+function numberIn({ at, length, little }, bytes) {
+  let number = 0;
+  for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
+  return number;
+}
+
+/** Whether another element follows one with some bytes. */
+export const follows = (more, bytes) => more.numbers.includes(decidingBits(more, numberIn(more, bytes)));
+
+/** How many elements a list with a first one has, each of which says whether another one follows, in an image. */
+export function elementsInImage({ element, most, more }, image, start) {
+  let count = 1;
+  while (count * element < most && follows(more, image.subarray(start + (count - 1) * element, start + count * element))) count++;
+  return count;
 }
 
 /** The bytes of an element that another field decides; undefined where that decides nothing. */
@@ -121,6 +138,7 @@ export function elementBytes(parts, bytes) {
 
 /** The bytes of each element of a list whose elements differ in size, or why they are not known. */
 function elementsIn(list, data, size, start) {
+  const { more } = list;
   const elements = [];
   let at = 0;
   while (size === null ? at < data.length : elements.length * list.element < size) {
@@ -129,6 +147,10 @@ function elementsIn(list, data, size, start) {
     if (own.fault) return { fault: { reason: own.fault.reason, at: start + at + own.fault.at } };
     if (at + own.size > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
     elements.push(own.size);
+    if (more && follows(more, data.subarray(at, at + own.size))) {
+      if (size === list.most) return { fault: { reason: "wrong_measure", at: start + at + more.at } };
+      size += list.element;
+    }
     at += own.size;
   }
   if (elements.length * list.element < list.least) return { fault: { reason: "incomplete", at: start + at } };
@@ -142,7 +164,8 @@ function elementsIn(list, data, size, start) {
  * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of a list that always has
  * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ, a
  * `decision` that of the only element. With a `packing`, numbers have fewer bits than in the image. With a `presence`,
- * bits of the number say whether the only element is sent, or have the count.
+ * bits of the number say whether the only element is sent, or have the count. With `more`, bits of each element say
+ * whether another one follows, and the number is that of the first one.
  */
 export function extentsIn({ fixed, lists }, data) {
   const extents = [];
@@ -154,7 +177,7 @@ export function extentsIn({ fixed, lists }, data) {
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
-    const counted = isLast && !list.decision ? null : sizeIn(list, image);
+    const counted = isLast && !list.decision && !list.more ? null : sizeIn(list, image);
     if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
     const extent = list.parts
       ? elementsIn(list, data.subarray(at, at + left), counted, at)
@@ -167,7 +190,9 @@ export function extentsIn({ fixed, lists }, data) {
       if (isLast && extent.numbers * list.element < list.least) return { extents, fault: { reason: "incomplete", at: at + left } };
       if (isLast && taken < left) return { extents, fault: { reason: "wrong_length", at: at + taken } };
     }
-    if (isLast && list.decision && counted < left) return { extents, fault: { reason: "wrong_length", at: at + counted } };
+    if (isLast && (list.decision || list.more) && extent.size < left) {
+      return { extents, fault: { reason: "wrong_length", at: at + extent.size } };
+    }
     extents.push(extent);
     before += extent.size;
   }
@@ -237,9 +262,10 @@ export function sentOfImage({ fixed, lists }, image, last) {
   const pieces = [];
   let at = 0;
   for (const list of lists) {
-    const { first, room, element, parts } = list;
+    const { first, room, element, parts, more } = list;
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
-    const size = decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
+    let size = decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
+    if (more && list !== lists.at(-1)) size *= elementsInImage(list, image, room);
     pieces.push(...image.subarray(at, first));
     if (list.packing) pieces.push(...packedList(list, image.subarray(room, room + size)));
     else for (let from = room; from < room + size; from += parts ? element : size) {
