@@ -95,7 +95,7 @@ class InnerList:
     the size of an element where elements differ in size, and a `decision` that of the only element; these have `size`
     bytes in the image. With a `packing`, numbers are sent in fewer bits. With a `presence`, a mask and numbers, the
     only element is sent if these bits of the number are one of the numbers; without numbers, these bits are the count.
-    With `more`, elements say which of them is the last, and the count is that of the first one.
+    With `more`, elements say which of them is the last, and the count is one.
     """
 
     __slots__ = (

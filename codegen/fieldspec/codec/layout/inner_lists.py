@@ -88,7 +88,7 @@ class InnerList:
     def size_in(self, image: bytes) -> int | None:
         """The bytes in the image of a list that does not end with the data, None for a wrong count.
 
-        Of a list whose elements say which is the last, it is those of the first one.
+        For a list whose elements say which is the last, it is the size of one element.
         """
         if self.continuation is not None and not self.count:
             return self.element
@@ -300,7 +300,7 @@ def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None
     They may say that more follow.
     """
     sizes: list[int] = []
-    offset, more = 0, inner.continuation
+    offset, continuation = 0, inner.continuation
     while offset < len(data) if size is None else len(sizes) * inner.element < size:
         if len(sizes) * inner.element == inner.most:
             return ListFault("wrong_length", start + offset)
@@ -310,9 +310,9 @@ def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None
         if offset + element_size > len(data):
             return ListFault("incomplete", start + len(data))
         sizes.append(element_size)
-        if more is not None and size is not None and more.follows(data[offset : offset + element_size]):
+        if continuation is not None and size is not None and continuation.follows(data[offset : offset + element_size]):
             if size == inner.most:
-                return ListFault("wrong_measure", start + offset + more.offset)
+                return ListFault("wrong_measure", start + offset + continuation.offset)
             size += inner.element
         offset += element_size
     if len(sizes) * inner.element < inner.least:
@@ -346,9 +346,9 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
     packing = {"packing": packing_data(row.packing)} if row.packing is not None else {}
     presence = {"presence": presence_data(row.presence)} if row.presence is not None else {}
     places = {"first": row.first, "room": row.room}
-    more = {"more": continuation_data(row.continuation)} if row.continuation is not None else {}
+    continuation = {"more": continuation_data(row.continuation)} if row.continuation is not None else {}
     extents = {**places, **bounds, **count, **plus, **is_little}
-    return {**names, **extents, **parts, **decision, **packing, **presence, **more}
+    return {**names, **extents, **parts, **decision, **packing, **presence, **continuation}
 
 
 def _decision_row(row: Decision) -> dict[str, Any]:

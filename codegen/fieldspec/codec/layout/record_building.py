@@ -134,16 +134,16 @@ def _fixed(
 
 
 def _continuation(field: FieldLayout, enums: Mapping[str, Enum]) -> Continuation | None:
-    """What each element of a field says of the next one; None for other fields."""
-    more = field.field.continuation
-    decider = field.record.named(more.by) if more is not None and field.record is not None else field
-    if more is None or decider is None or decider.value is None:
+    """The bits of each element that say whether another one follows; None for other fields."""
+    continuation = field.field.continuation
+    decider = field.record.named(continuation.by) if continuation is not None and field.record is not None else field
+    if continuation is None or decider is None or decider.value is None:
         return None
-    presence = PresenceLayout(more.by, *stated_bits(more, decider.value, enums))
+    presence = PresenceLayout(continuation.by, *stated_bits(continuation, decider.value, enums))
     offset = decider.offset if field.record is not None else 0
     order: Literal["big", "little"] = "big" if decider.order == "big" else "little"
-    is_free = more.bit is not None and not decider.value.enum and decider.value.writable_ranges is None
-    legal = None if is_free else legal_numbers(more, decider.value, enums)
+    is_free = continuation.bit is not None and not decider.value.enum and decider.value.writable_ranges is None
+    legal = None if is_free else legal_numbers(continuation, decider.value, enums)
     return Continuation(presence, offset, decider.size, order, legal)
 
 

@@ -42,8 +42,9 @@ def _wrong_presence(record: RecordLayout, field: FieldLayout, values: Mapping[st
 
 def _wrong_end(field: FieldLayout, values: Mapping[str, Any]) -> Wrong | None:
     """An element that is wrong about whether another one follows."""
-    more = field.continuation
-    wrong = more.wrong_element(values[field.name]) if more is not None else None
-    if more is None or wrong is None:
+    continuation = field.continuation
+    wrong = continuation.wrong_element(values[field.name]) if continuation is not None else None
+    if continuation is None or wrong is None:
         return None
-    return more.text(field.name, values[field.name], wrong), field.offset + wrong * field.size + more.offset
+    text = continuation.text(field.name, values[field.name], wrong)
+    return text, field.offset + wrong * field.size + continuation.offset

@@ -39,11 +39,11 @@ def _struct(record: RecordLayout) -> construct.Struct:
 
 def _list_of_count(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     """A list with fields after it: the number of elements in another field, in its room in an image."""
-    more, element = field.continuation, _element(record, field)
-    if more is None:
+    continuation, element = field.continuation, _element(record, field)
+    if continuation is None:
         elements = construct.Array(_number_of(record, field), element)
     else:
-        ended = construct.RepeatUntil(lambda own, elements, context: not more.follows(own), element)
+        ended = construct.RepeatUntil(lambda own, elements, context: not continuation.follows(own), element)
         elements = construct.IfThenElse(_is_sent(field), ended, element[0])
     room = record.room_of(field)
     return elements if room is None else construct.Padded(room.most, elements)

@@ -64,21 +64,23 @@ def _renamed(comparison: Comparison, message: Message, name: str) -> str:
     return request_name if request_name != name else comparison.renamed_to(f"messages/{message.name}/response", name)
 
 
-def presence_text(comparison: Comparison | None, holder_path: str, field: Field) -> str:
-    """What says whether a field is sent, with the names of the new state; empty where nothing does."""
-    if field.presence is None:
-        return ""
-    fields = () if comparison is None else fields_beside(field, comparison.old)
-    return _bits_text(comparison, holder_path, field.presence, fields)
+SUBJECTS_OF_BITS = {
+    "present_if": "what says whether it is sent",
+    "more_if": "what says whether another element follows",
+}
+"""The meaning of the bits under each key."""
 
 
-def continuation_text(comparison: Comparison | None, field: Field) -> str:
-    """What says whether another element follows, with the names of the new state; empty where nothing does."""
-    if field.continuation is None:
+def bits_text(comparison: Comparison | None, holder_path: str, field: Field, key: str) -> str:
+    """The bits under a key of a field, with the names of the new state; empty where none are."""
+    presence = field.presence if key == "present_if" else field.continuation
+    if presence is None:
         return ""
+    if key == "present_if":
+        return _bits_text(comparison, holder_path, presence, fields_beside(field, comparison.old) if comparison else ())
     element = comparison.old.records.get(field.record) if comparison is not None else None
     fields = (replace(field, name=""),) if element is None else element.fields
-    return _bits_text(comparison, f"records/{field.record}", field.continuation, fields)
+    return _bits_text(comparison, f"records/{field.record}", presence, fields)
 
 
 def _bits_text(comparison: Comparison | None, holder_path: str, presence: Presence, fields: tuple[Field, ...]) -> str:

@@ -128,17 +128,17 @@ def _count_problems(
 
 
 def _end_problems(
-    device: Device, sizes: RecordSizes, layer: Record, field: Field, more: Presence, refuses: bool
+    device: Device, sizes: RecordSizes, layer: Record, field: Field, continuation: Presence, refuses: bool
 ) -> Iterator[tuple[str, str]]:
     """The problems of a list whose elements say whether another one follows, each with a help."""
     element = device.records.get(field.record)
-    decider = element.named(more.by) if element is not None else replace(field, repeat=None)
+    decider = element.named(continuation.by) if element is not None else replace(field, repeat=None)
     if decider is None:
         return
-    objection = _objection(device, decider, more.bit, needs_enum=more.bit is None)
+    objection = _objection(device, decider, continuation.bit, needs_enum=continuation.bit is None)
     if objection:
         yield f"but {decider.name} cannot: {objection}", "name one unsigned number with the bit or the enum"
-    elif decider.value is not None and _always_says_the_same(device, decider.value, more):
+    elif decider.value is not None and _always_says_the_same(device, decider.value, continuation):
         yield f"but {decider.name} always says the same", "name a bit that differs, or other members"
     before = element.fields[: element.fields.index(decider)] if element is not None else ()
     varying = next((own for own in before if not sizes.is_fixed(own)), None)
@@ -148,11 +148,11 @@ def _end_problems(
         yield f"and {layer.name} is the data of exceptions", "state a fixed `count`, or list the repeated field last"
 
 
-def _always_says_the_same(device: Device, value: Value, more: Presence) -> bool:
+def _always_says_the_same(device: Device, value: Value, continuation: Presence) -> bool:
     """Whether all numbers of a value say that another element follows, or none does."""
     enum = device.enums.get(value.enum)
-    is_known = enum is None or all(enum.named(name) is not None for name in more.when)
-    return is_known and None in legal_numbers(more, value, device.enums)
+    is_known = enum is None or all(enum.named(name) is not None for name in continuation.when)
+    return is_known and None in legal_numbers(continuation, value, device.enums)
 
 
 def _objection(device: Device, decider: Field, bit: int | None, needs_enum: bool) -> str:

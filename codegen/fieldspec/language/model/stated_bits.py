@@ -20,16 +20,17 @@ def stated_bits(presence: Presence, value: Value, enums: Mapping[str, Enum]) -> 
 
 def legal_numbers(presence: Presence, value: Value, enums: Mapping[str, Enum]) -> tuple[int | None, int | None]:
     """Numbers that programs may write which say that something is sent, and that nothing is; None where none does."""
-    mask, sent = stated_bits(presence, value, enums)
+    mask, numbers_if_sent = stated_bits(presence, value, enums)
     ranges, enum = value.writable_ranges, enums.get(value.enum)
     members = [member.value for member in enum.members if not member.unavailable] if enum is not None else []
     bounds = [bound for pair in ranges.intervals for bound in pair] if ranges is not None else [0]
-    candidates = [*bounds, *members, *sent, *range(len(sent) + 1)]
+    candidates = [*bounds, *members, *numbers_if_sent, *range(len(numbers_if_sent) + 1)]
     if presence.bit is not None:
         candidates += [number ^ mask for number in candidates]
     if enum is not None and not enum.open:
         candidates = [number for number in candidates if number in members]
     numbers = [number for number in candidates if value.low <= number <= value.high]
     numbers = [number for number in numbers if ranges is None or number in ranges]
-    following, ending = ([own for own in numbers if (own & mask in sent) == is_sent] for is_sent in (True, False))
-    return next(iter(following), None), next(iter(ending), None)
+    following = (own for own in numbers if own & mask in numbers_if_sent)
+    ending = (own for own in numbers if own & mask not in numbers_if_sent)
+    return next(following, None), next(ending, None)

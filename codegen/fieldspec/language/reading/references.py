@@ -255,8 +255,8 @@ class _Search:
 
     def _of_elements(self, node: Mapping, holder: str, keys: Keys) -> Iterator[Reference]:
         """The field of the elements of a list that says whether another one follows, and the members that say so."""
-        more, record = node.values.get("more_if"), value_of(node, "record")
-        name, members = value_of(more, "in"), value_of(more, "when")
+        continuation, record = node.values.get("more_if"), value_of(node, "record")
+        name, members = value_of(continuation, "in"), value_of(continuation, "when")
         element = self.names["records"].get(record.text) if isinstance(record, Scalar) else node
         if isinstance(name, Scalar) and element is not None:
             element = _part(element, name.text, [])

@@ -98,7 +98,7 @@ def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> s
     field = record.named(inner.name)
     element = field.record if field is not None and inner.parts is not None and inner.parts.lists else None
     measure = naming.function("record", element.name, "sent_size") if element is not None else "NULL"
-    more = follows(naming, record, field) if field is not None and inner.continuation is not None else "NULL"
+    tell = follows(naming, record, field) if field is not None and inner.continuation is not None else "NULL"
     decide = "NULL"
     if inner.decision is not None or is_optional:
         decide = naming.function("record", record.name, f"{inner.name}_decided_size")
@@ -107,7 +107,7 @@ def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> s
     if inner.packing is not None:
         is_low_first, is_signed = inner.packing.order == "little", inner.packing.number.sign.is_signed
         packing = f"{inner.packing.number.bits}u, {str(is_low_first).lower()}, {str(is_signed).lower()}"
-    return f"{{{places}, {inner.plus}L, {is_little}, {mask}u, {measure}, {decide}, {more}, {packing}}}"
+    return f"{{{places}, {inner.plus}L, {is_little}, {mask}u, {measure}, {decide}, {tell}, {packing}}}"
 
 
 def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:

@@ -106,12 +106,12 @@ def counts_in_image(naming: Naming, record: RecordLayout) -> Body:
         if count is None and room.continuation is None:
             continue
         if count is not None:
-            items = _counted_items(room, decoded_selector(naming, count), items)
+            items = _items_of_count(room, decoded_selector(naming, count), items)
         body = (*body, Assignment(PointerMember(OUT, count_member(record, field)), items))
     return body
 
 
-def _counted_items(room: InnerList, number: Expression, items: Expression) -> Expression:
+def _items_of_count(room: InnerList, number: Expression, items: Expression) -> Expression:
     """How many elements a number says that there are; `items` if it says that there are some."""
     if room.presence is not None and room.presence.numbers:
         return Conditional(is_present(room.presence, number), items, ZERO)

@@ -46,16 +46,16 @@ def end_check(field: FieldLayout, names: Names, items: str) -> list[str]:
 
     `items` are the elements, an expression. Other fields have none.
     """
-    more = field.continuation
-    decider = field if field.record is None or more is None else field.record.named(more.presence.by)
-    if more is None or decider is None:
+    continuation = field.continuation
+    decider = field if field.record is None or continuation is None else field.record.named(continuation.presence.by)
+    if continuation is None or decider is None:
         return []
-    number = slot_of(decider, names).number("at", more.offset)
+    number = slot_of(decider, names).number("at", continuation.offset)
     detail = literal(f"which is wrong about whether another one of {field.name} follows")
     wrong = throw_wrong_number("wrong_measure", decider.name, number, detail, "null")
     start = place("o", field.offset)
     return [
         f"for (let at = {start}, index = 1; index <= {items}.length; index++, at += {field.size}) {{",
-        f"  if (({is_present(more.presence, number)}) !== (index < {items}.length)) {wrong}",
+        f"  if (({is_present(continuation.presence, number)}) !== (index < {items}.length)) {wrong}",
         "}",
     ]

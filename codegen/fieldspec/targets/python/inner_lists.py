@@ -31,9 +31,9 @@ def _inner_list_row(inner: InnerList, letters: str = "") -> str:
     decision = f", decision={_decision(inner.decision)}" if inner.decision is not None else ""
     packing = f", packing={_packing(inner.packing)}" if inner.packing is not None else ""
     presence = f", presence={_presence(inner.presence)}" if inner.presence is not None else ""
-    more = f", more={_more(inner.continuation)}" if inner.continuation is not None else ""
+    continuation = f", more={_more(inner.continuation)}" if inner.continuation is not None else ""
     places = f"{inner.first}, {inner.room}{count}"
-    options = f"{parts}{decision}{packing}{presence}{more}"
+    options = f"{parts}{decision}{packing}{presence}{continuation}"
     return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{options})"
 
 

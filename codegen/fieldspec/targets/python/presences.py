@@ -64,15 +64,16 @@ def wrong_end(field: Slots, elements: str) -> str:
     """`_wrong_end("dife", [_index(item) for item in self.dife], 128, (128,))`: the refusal of elements that are wrong
     about whether another one follows, a CodecError or None; empty for lists that end in another way.
     """
-    more, record = field.field.continuation, field.field.record
-    if more is None:
+    continuation, record = field.field.continuation, field.field.record
+    if continuation is None:
         return ""
     item = "item"
     if record is not None:
-        [decider] = [own for own in shape(record, field.words, RECORD).fields if own.title == more.presence.by]
+        [decider] = [own for own in shape(record, field.words, RECORD).fields if own.title == continuation.presence.by]
         item = f"item.{decider.name}"
     numbers = f"[_index({item}) for item in {elements}]"
-    return f"_wrong_end({literal(field.title)}, {numbers}, {more.presence.mask}, {tuple_of(more.presence.numbers)})"
+    presence = continuation.presence
+    return f"_wrong_end({literal(field.title)}, {numbers}, {presence.mask}, {tuple_of(presence.numbers)})"
 
 
 def _wrong(field: Slots, decider: Slots, number: str, elements: str, place: str = "") -> str:

@@ -344,11 +344,12 @@ def _has_element(buffer: Bytes, offsets: Numbers, inner: InnerList, number: int)
         else:
             units = units if inner.presence is None else units >> inner.presence.shift
             is_there = (units - inner.plus) * inner.unit // inner.element > number
-    more = inner.continuation
-    for before in range(number if more is not None else 0):
-        assert more is not None
-        place = offsets + inner.room + before * inner.element + more.offset
-        is_there &= np.isin(number_at(buffer, place, more.size, more.order) & more.presence.mask, more.presence.numbers)
+    continuation = inner.continuation
+    for index in range(number if continuation is not None else 0):
+        assert continuation is not None
+        place = offsets + inner.room + index * inner.element + continuation.offset
+        numbers = number_at(buffer, place, continuation.size, continuation.order)
+        is_there &= np.isin(numbers & continuation.presence.mask, continuation.presence.numbers)
     return is_there
 
 

@@ -111,9 +111,9 @@ def _optional(entry: Entry) -> Ranges:
 
 
 def _continuation(entry: Entry) -> Presence | None:
-    """What each element of a list says of the next one; None where that is another list, or none."""
-    more = entry.entry("more_if")
-    if more is None:
+    """The bits of each element that say whether another one follows; None where none say it."""
+    continuation = entry.entry("more_if")
+    if continuation is None:
         return None
     _refuse_fixed_number(entry, "more_if", "list")
     repeat = entry.whole_ranges("repeat")
@@ -122,22 +122,23 @@ def _continuation(entry: Entry) -> Presence | None:
         text = f"a list with `more_if` has 1 to a greatest number of elements{is_not}"
         help = "state `repeat: 1..10`; with `present_if`, it may have no element as well"
         entry.refuse("wrong_form", "repeat" if repeat is not None else "more_if", text, help)
-    if "in" in more.own and not entry.text("record"):
-        more.refuse("wrong_form", "in", "the elements have no fields", "remove `in`: the bits are those of the element")
-    if "in" not in more.own and entry.text("record"):
+    if "in" in continuation.own and not entry.text("record"):
+        text = "the elements have no fields"
+        continuation.refuse("wrong_form", "in", text, "remove `in`: the element itself has the bits")
+    if "in" not in continuation.own and entry.text("record"):
         text, help = (
             "the elements are records, and no field of them is named",
             "name the field with the bits under `in`",
         )
         entry.refuse("wrong_form", "more_if", text, help)
-    return _presence(more, "in")
+    return _presence(continuation, "in")
 
 
-def _presence(entry: Entry, by: str) -> Presence:
+def _presence(entry: Entry, key: str) -> Presence:
     if "is" in entry.own and "bit" not in entry.own:
         entry.refuse("wrong_form", "is", "`is` has no effect without `bit`", "remove it, or state the `bit`")
     value = entry.integer("is")
-    return Presence(entry.text(by), entry.integer("bit"), 1 if value is None else value, entry.texts("when"))
+    return Presence(entry.text(key), entry.integer("bit"), 1 if value is None else value, entry.texts("when"))
 
 
 def _choice(entry: Entry, field: Entry) -> Choice:
