@@ -1,9 +1,9 @@
 """A repeated field permits at least one element, and its end is known: by the end of the data, less the fixed bytes
-after it, or by an earlier field that `measures` it. If data of varying size follows, or if the list is in a record
-within another record, the measuring field is an unsigned binary number of one or two bytes. A record of varying size
-can be part of messages and of other such records, once, `count` times or repeated, if an earlier field in it measures
-each of its lists and texts of varying width. The data of exception responses, and of messages that access registers,
-has lists only at its end.
+after it, by an earlier field that `measures` it, or by its elements with `more_if`. If data of varying size follows, or
+if the list is in a record within another record, the measuring field is an unsigned binary number of one or two bytes.
+A record of varying size can be part of messages and of other such records, once, `count` times or repeated, if an
+earlier field in it, or `more_if`, determines the end of each of its lists and texts of varying width. The data of
+exception responses, and of messages that access registers, has lists only at its end.
 
 Why: without a field that counts the elements, their number follows only from the end of the data. Records that differ
 in size can be separated only by counts within them.
