@@ -20,21 +20,21 @@ export const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.c
 function countedBytes(list, bytes) {
   const { length, unit, plus = 0, most, element, presence, more } = list;
   if (!length) return more ? element : most;
-  let number = numberIn(list, bytes);
+  let number = placedNumber(list, bytes);
   if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
   if (presence) number = decidingBits(presence, number);
   return (number - plus) * unit;
 }
 
 /** The number of up to four bytes at a place. */
-function numberIn({ at, length, little }, bytes) {
+function placedNumber({ at, length, little }, bytes) {
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
   return number;
 }
 
 /** Whether another element follows one with some bytes. */
-export const follows = (more, bytes) => more.numbers.includes(decidingBits(more, numberIn(more, bytes)));
+export const follows = (more, bytes) => more.numbers.includes(decidingBits(more, placedNumber(more, bytes)));
 
 /** How many elements a list with a first one has, each of which says whether another one follows, in an image. */
 export function elementsInImage({ element, most, more }, image, start) {
