@@ -689,8 +689,8 @@ function fits(presence, number, elements) {
 const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.clz32(mask & -mask)}..${31 - Math.clz32(mask)}`;
 
 function countedBytes(list, bytes) {
-  const { length, unit, plus = 0, most, element, presence } = list;
-  if (!length) return most;
+  const { length, unit, plus = 0, most, element, presence, more } = list;
+  if (!length) return more ? element : most;
   let number = listNumber(list, bytes);
   if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
   if (presence) number = decidingBits(presence, number);
@@ -711,6 +711,14 @@ function measuredBytes(list, bytes) {
 function setListNumber({ name, at, length, little }, bytes, number) {
   if (number < 0 || number >= 256 ** length) throw new CodecError("out_of_range", `${name} has more bytes than a field can count`);
   for (let place = 0; place < length; place++) bytes[at + (little ? place : length - 1 - place)] = number / 256 ** place & 255;
+}
+
+const follows = (more, bytes) => more.numbers.includes(decidingBits(more, listNumber(more, bytes)));
+
+function elementsInImage({ element, most, more }, image, start) {
+  let count = 1;
+  while (count * element < most && follows(more, image.subarray(start + (count - 1) * element, start + count * element))) count++;
+  return count;
 }
 
 function decidedBytes({ at, length, little, sizes }, bytes) {
@@ -798,6 +806,7 @@ function elementBytes(parts, bytes) {
 }
 
 function elementsIn(list, data, size, start) {
+  const { more } = list;
   const elements = [];
   let at = 0;
   while (size === null ? at < data.length : elements.length * list.element < size) {
@@ -806,6 +815,10 @@ function elementsIn(list, data, size, start) {
     if (own.fault) return { fault: { reason: own.fault.reason, at: start + at + own.fault.at } };
     if (at + own.size > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
     elements.push(own.size);
+    if (more && follows(more, data.subarray(at, at + own.size))) {
+      if (size === list.most) return { fault: { reason: "wrong_measure", at: start + at + more.at } };
+      size += list.element;
+    }
     at += own.size;
   }
   if (elements.length * list.element < list.least) return { fault: { reason: "incomplete", at: start + at } };
@@ -828,7 +841,7 @@ function extentsIn({ fixed, lists }, data) {
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
-    let counted = isLast && !list.decision ? null : sizeIn(list, image);
+    let counted = isLast && !list.decision && !list.more ? null : sizeIn(list, image);
     if (list.sentPlus !== undefined) {
       const sent = measuredBytes(list, image);
       counted = isLast && sent !== left ? undefined : sent;
@@ -847,7 +860,9 @@ function extentsIn({ fixed, lists }, data) {
       if (isLast && extent.numbers * list.element < list.least) return { extents, fault: { reason: "incomplete", at: at + left } };
       if (isLast && taken < left) return { extents, fault: { reason: "wrong_length", at: at + taken } };
     }
-    if (isLast && list.decision && counted < left) return { extents, fault: { reason: "wrong_length", at: at + counted } };
+    if (isLast && (list.decision || list.more) && extent.size < left) {
+      return { extents, fault: { reason: "wrong_length", at: at + extent.size } };
+    }
     extents.push(extent);
     before += extent.size;
   }
@@ -916,7 +931,8 @@ function sentOfImage({ fixed, lists }, image, last) {
   const fields = image.slice(0, fixed);
   const lengths = lists.map((list) => {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
-    return decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
+    if (decided !== undefined || list === lists.at(-1)) return decided ?? last;
+    return countedBytes(list, image) * (list.more ? elementsInImage(list, image, list.room) : 1);
   });
   const pieces = lists.map((list, index) => sentOfList(list, image.subarray(list.room, list.room + lengths[index])));
   for (const [index, list] of lists.entries()) {
@@ -1219,6 +1235,7 @@ const SENTENCES = {
  "UNDECIDED": "{selector} {number} does not decide the type of {name}",
  "UNDECIDED_TOO_LONG": "{selector} {number} does not decide the type of {name}, which is {count} bytes too long",
  "MORE_FOLLOW": "{name} has {count} bytes, and more follow",
+ "MORE_ELEMENTS": "{name} has more than {count} elements",
  "MORE_THAN_BITS": "{name} has more bytes than its numbers of {bits} bits",
  "ELEMENTS_WITHOUT_END": "the elements of {name} do not end with their bytes: see {place}",
  "DECIDES_MORE": "{selector} decides that {name} has more bytes than there are",
@@ -2496,15 +2513,17 @@ class ExplainedBody {
 
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
-    const { decision, packing, parts, presence, countName } = list;
+    const { decision, packing, parts, presence, countName, more } = list;
     let { reason } = this.fault;
     let text;
     if (this.hasWrongCount(list)) {
       text = sentence(SENTENCES.WRONG_COUNT, { count: countName, name });
     } else if (decision && reason === "unknown_value") {
       text = this.undecidedText(SENTENCES.UNDECIDED, decision.name, name);
-    } else if (decision && reason === "wrong_length") {
+    } else if ((decision || more) && reason === "wrong_length") {
       text = sentence(SENTENCES.MORE_FOLLOW, { name, count: this.fault.at - (at - this.start) });
+    } else if (parts && !parts.lists.length && reason === "wrong_measure") {
+      text = sentence(SENTENCES.MORE_ELEMENTS, { name, count: list.most / list.element });
     } else if (packing && reason === "wrong_length") {
       text = sentence(SENTENCES.MORE_THAN_BITS, { name, bits: packing.bits });
     } else if (parts) {
@@ -3816,12 +3835,14 @@ function encodeRecord(device, record, values) {
   const form = formOfValues(record, values);
   if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
   const known = new Map();
+  const sent = new Map();
   const fields = form.fields.map((field) => decidedField(form, field, values));
   for (const field of fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
   const bytes = joinedBytes(fields.map((field) => {
     if (!field.measures) {
       const list = form.inner?.lists.find(({ name }) => name === field.name);
       const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
+      sent.set(field.name, elements);
       const own = joinedBytes(list?.parts || list?.decision ? elements.map((bytes) => padded(bytes, list.element)) : elements);
       return list && list !== form.inner.lists.at(-1) ? padded(own, list.most) : own;
     }
@@ -3831,10 +3852,14 @@ function encodeRecord(device, record, values) {
     const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
-  for (const { name, presence } of fields.filter((field) => field.presence)) {
-    const [number] = known.get(presence.by);
-    if (fits(presence, number, known.get(name).length)) continue;
-    throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
+  for (const { name, presence } of fields) {
+    const [number] = presence ? known.get(presence.by) : [];
+    if (presence && !fits(presence, number, known.get(name).length)) {
+      throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
+    }
+    const more = form.inner?.lists.find((list) => list.name === name)?.more;
+    const wrong = more ? sent.get(name).findIndex((bytes, index, { length }) => follows(more, bytes) !== index < length - 1) : -1;
+    if (wrong >= 0) throw new CodecError("wrong_measure", `element ${wrong} of ${name} is wrong about whether another one follows`);
   }
   if (form.inner) {
     const last = form.fields.at(-1);

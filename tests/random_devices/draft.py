@@ -109,6 +109,8 @@ class Draft:
     records: list[RecordDraft] = field(default_factory=list)
     differing: list[str] = field(default_factory=list)
     """The records that differ in size, which tell it."""
+    elements: list[tuple[str, list[Spec]]] = field(default_factory=list)
+    """The records that say whether another one follows, each with the ways in which it can say so."""
     signals: dict[str, Spec] = field(default_factory=dict)
     exponents: dict[str, str] = field(default_factory=dict)
     """A register with the exponent of scales by the space that it is in."""

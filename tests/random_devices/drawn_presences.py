@@ -1,4 +1,4 @@
-"""Fields that say whether others are sent, or how many elements they have, for random devices."""
+"""Fields that say whether others are sent, how many elements they have or which is the last, for random devices."""
 
 from __future__ import annotations
 
@@ -19,6 +19,22 @@ def presence_decider(draft: Draft) -> tuple[Spec, list[Spec]]:
     decider = draft.fact(type=kind)
     bits = [draft.number(0, 8 * size_of(decider) - 1) for _ in range(3)]
     return decider, [{"by": decider["name"], "bit": bit, **({"is": 0} if draft.chance(20) else {})} for bit in bits]
+
+
+def more_ways(draft: Draft, ways: list[Spec]) -> list[Spec]:
+    """The ways in which a number that can say whether a field is sent says whether another element follows."""
+    numbers = [{key: own for key, own in way.items() if key != "by"} for way in ways]
+    return [{**own, "when": own["when"][:1]} if "when" in own and draft.chance(80) else own for own in numbers]
+
+
+def continued_list(draft: Draft, presence: Spec | None) -> Spec:
+    """A list whose elements say which of them is the last: numbers, or records that were drawn for this."""
+    keys: Spec = {"repeat": f"1..{draft.number(2, 5)}", **({"present_if": presence} if presence is not None else {})}
+    if draft.elements and draft.chance(60):
+        name, ways = draft.pick(draft.elements)
+        return draft.fact(record=name, more_if=draft.pick(ways), **keys)
+    decider, ways = presence_decider(draft)
+    return {**decider, **keys, "more_if": draft.pick(more_ways(draft, ways))}
 
 
 def list_counter(draft: Draft, repeated: Spec, measure: Spec, kinds: tuple[str, ...]) -> Spec:

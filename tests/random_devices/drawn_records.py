@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from random_devices.draft import BOUNDS, Draft, EnumDraft, RecordDraft, Spec
-from random_devices.drawn_presences import list_counter, presence_decider
+from random_devices.drawn_presences import continued_list, list_counter, more_ways, presence_decider
 from random_devices.drawn_values import packed_list, size_of, value, varying_text, varying_value
 
 
 def records(draft: Draft) -> list[Spec]:
     """Records that nest in one another; some consist of whole registers, for tables."""
     fixed = [_record(draft, words=draft.chance(35)) for _ in range(draft.number(0, 4))]
-    return [*fixed, *(_differing_record(draft) for _ in range(draft.number(0, 3) if draft.chance(50) else 0))]
+    elements = [_element_record(draft) for _ in range(draft.number(1, 2) if draft.chance(30) else 0)]
+    return [
+        *fixed,
+        *elements,
+        *(_differing_record(draft) for _ in range(draft.number(0, 3) if draft.chance(50) else 0)),
+    ]
 
 
 def _differing_record(draft: Draft) -> Spec:
@@ -29,6 +34,9 @@ def _differing_record(draft: Draft) -> Spec:
             if draft.chance(25):
                 fields = _optional_between(draft, fields)
                 continue
+            if draft.chance(15):
+                fields = _continued_between(draft, fields)
+                continue
             if draft.differing and draft.chance(30):
                 inner = _differing(draft)
                 fields = _inserted(draft, fields, _byte_counter(draft, inner)) if draft.chance(30) else fields
@@ -45,6 +53,26 @@ def _differing_record(draft: Draft) -> Spec:
     draw_separator(draft, record, fields)
     draft.differing.append(record["name"])
     return record
+
+
+def _element_record(draft: Draft) -> Spec:
+    """A record that says whether another one follows it in a list; it may differ in size."""
+    if draft.chance(40):
+        record = _differing_record(draft)
+    else:
+        record = draft.fact(fields=[fixed_field(draft)[0] for _ in range(draft.number(0, 3))])
+    decider, ways = presence_decider(draft)
+    record["fields"].insert(0, decider)
+    draft.elements.append((record["name"], [{"in": decider["name"], **way} for way in more_ways(draft, ways)]))
+    return record
+
+
+def _continued_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """Fields with lists behind them whose elements say which of them is the last, and some behind these."""
+    decider, ways = presence_decider(draft)
+    before = _inserted(draft, fields, decider)
+    presences = [draft.pick(ways) if draft.chance(50) else None for _ in range(draft.number(1, 2))]
+    return [*before, *(own for way in presences for own in [continued_list(draft, way), *_behind(draft)])]
 
 
 def _behind(draft: Draft) -> list[Spec]:
@@ -147,6 +175,7 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
         (
             *("fixed", "empty", "repeat", "measured", "choice", "counted", "short", "line", "inner", "lists", "texts"),
             "optional",
+            "continued",
         )
     )
     if form in ("empty", "short"):
@@ -170,6 +199,8 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
         return _lists(draft, fields)
     if form == "optional":
         return _optional_at_end(draft, _optional_between(draft, fields))
+    if form == "continued":
+        return _continued_between(draft, fields)
     if form == "choice":
         return _choosing(draft, fields)
     if form == "counted":

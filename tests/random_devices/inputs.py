@@ -78,8 +78,8 @@ def record_values(layout: DeviceLayout, record: RecordLayout, dice: random.Rando
             values[field.name] = elements if field.least_count(values) else []
         if field.bits_of and dice.random() < 0.85:
             values[field.name] = max(0, 8 * len(values[field.bits_of]) - dice.choice((0, 0, 1, 3, 7)))
-    has_bit_counts = any(field.presence is not None and not field.presence.numbers for field in record.fields)
-    return record.with_bit_counts(values) if has_bit_counts and dice.random() < 0.95 else values
+    has_list_bits = any(field.has_count_in_bits or field.continuation is not None for field in record.fields)
+    return record.with_list_bits(values) if has_list_bits and dice.random() < 0.95 else values
 
 
 def _element(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:

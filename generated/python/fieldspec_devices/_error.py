@@ -64,6 +64,16 @@ def wrong_presence(name: str, raw: int, of: str, elements: int, at: int | None =
     return CodecError("wrong_measure", f"{name} is {raw}, but there are {elements} of {of}", at)
 
 
+def wrong_end(of: str, numbers: list[int], mask: int, following: tuple[int, ...]) -> CodecError | None:
+    """An element that does not say that another one of a list follows, though one does, or the other way round."""
+    last = len(numbers) - 1
+    for index, raw in enumerate(numbers):
+        if (raw & mask in following) != (index < last):
+            count = "another one follows" if index < last else "no other one follows"
+            return CodecError("wrong_measure", f"element {index} of {of} says {raw}, but {count}")
+    return None
+
+
 def wrong_bits(name: str, raw: int, of: str, size: int, at: int | None = None) -> CodecError:
     """A number of bits that takes another number of bytes than there are."""
     return CodecError("wrong_measure", f"{name} is {raw}, which takes {(raw + 7) // 8} bytes, but {of} has {size}", at)

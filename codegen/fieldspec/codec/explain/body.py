@@ -170,8 +170,10 @@ class Body:
             text = sentences.WRONG_COUNT.format(count=inner.count, name=name)
         elif inner.decision is not None and reason == "unknown_value":
             text = self._undecided_text(inner.decision.name, name)
-        elif inner.decision is not None and reason == "wrong_length":
+        elif (inner.decision is not None or inner.continuation is not None) and reason == "wrong_length":
             text = sentences.MORE_FOLLOW.format(name=inner.name, count=self.fault.at - (offset - self.start))
+        elif inner.parts is not None and not inner.parts.lists and reason == "wrong_measure":
+            text = sentences.MORE_ELEMENTS.format(name=inner.name, count=inner.most // inner.element)
         elif inner.packing is not None and reason == "wrong_length":
             text = sentences.MORE_THAN_BITS.format(name=inner.name, bits=inner.packing.number.bits)
         elif inner.parts is not None:

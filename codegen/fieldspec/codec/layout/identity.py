@@ -158,6 +158,9 @@ def _field(field: FieldLayout) -> Iterator[Words]:
         yield "decided by", field.selector.name
     if field.presence is not None and field.presence.numbers:
         yield "present by", field.presence.by, field.presence.mask, [*field.presence.numbers]
+    if field.continuation is not None:
+        continuation = field.continuation.presence
+        yield "more if", continuation.by, continuation.mask, [*continuation.numbers]
     if spec.bit_measure is not None:
         yield "counts in bits", spec.bit_measure.text
     for case in sorted(field.cases, key=lambda case: sorted(case.numbers)):

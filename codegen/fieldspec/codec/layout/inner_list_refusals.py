@@ -8,14 +8,19 @@ from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
 
 _OPTIONAL, _IN_BITS = "is optional", "has its count in some bits of a field"
-_READ = {_OPTIONAL: "fields that are always sent", _IN_BITS: "counts that are whole fields"}
+_ENDING = "ends where an element says so"
+_READ = {
+    _OPTIONAL: "fields that are always sent",
+    _IN_BITS: "counts that are whole fields",
+    _ENDING: "lists that come last or have a count",
+}
 _LISTS = "lists that come last, of elements of one size"
-_KEYS = ("present_if", "packed_bits", "repeat", "record")
+_KEYS = ("more_if", "present_if", "packed_bits", "repeat", "record")
 
 
 def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool = False) -> list[Refusal]:
-    """A refusal of each list with fields after it or a count in bits, and of each optional field, which `reader` does
-    not read.
+    """A refusal of each list with fields after it, a count in bits or elements that end it, and of each optional field,
+    which `reader` does not read.
     """
     bodies = [body for message in layout.messages.values() for body in message.bodies]
     lists = {
@@ -40,6 +45,8 @@ def inner_list_refusals(layout: DeviceLayout, reader: str, for_controllers: bool
 
 def _problem(body: RecordLayout, field: FieldLayout) -> str:
     """Why such outputs do not read a field; empty where they do."""
+    if field.continuation is not None:
+        return _ENDING
     if field.presence is not None:
         return _IN_BITS if field.has_count_in_bits else _OPTIONAL
     if body.inner_lists is None or not field.varies:

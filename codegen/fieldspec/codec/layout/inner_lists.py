@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from fieldspec.codec.layout.continuation import Continuation, continuation_data
 from fieldspec.codec.layout.packing import Packing, packing_data
 from fieldspec.codec.layout.presence import PresenceLayout, presence_data
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
@@ -50,6 +51,8 @@ class InnerList:
     where all have the same size. Elements with a `packing` are sent in fewer bits than they have in the image. With a
     `presence`, bits of the number say whether the only element is sent, or have the count. With a `sent_plus`, the
     number is that of elements only in the image: what is sent is the number of their sent bytes and this number more.
+    With a `continuation`, each element says whether another one follows, wherever the list is, and a number whether
+    there is a first one.
     """
 
     name: str
@@ -69,6 +72,7 @@ class InnerList:
     packing: Packing | None = None
     presence: PresenceLayout | None = None
     sent_plus: int | None = None
+    continuation: Continuation | None = None
 
     def size_of(self, number: int) -> int | None:
         """The bytes in the image if the count is a number, None if it may not be that number."""
@@ -85,7 +89,12 @@ class InnerList:
         return int.from_bytes(image[self.count_at : self.count_at + self.count_size], order)
 
     def size_in(self, image: bytes) -> int | None:
-        """The bytes in the image of a list that does not end with the data, None for a wrong count."""
+        """The bytes in the image of a list that does not end with the data, None for a wrong count.
+
+        For a list whose elements say which is the last, it is the size of one element.
+        """
+        if self.continuation is not None and not self.count:
+            return self.element
         return self.size_of(self.count_in(image)) if self.count else self.most
 
     def sent_bytes_in(self, data: bytes) -> int | None:
@@ -98,6 +107,16 @@ class InnerList:
         order: Literal["big", "little"] = "big" if self.count_order == "big" else "little"
         stop = self.count_at + self.count_size
         return image[: self.count_at] + number.to_bytes(self.count_size, order) + image[stop:]
+
+    def room_size_in(self, image: bytes) -> int | None:
+        """The same, in an image that has the elements as well."""
+        size = self.size_in(image)
+        if self.continuation is not None and size:
+            while size < self.most and self.continuation.follows(
+                image[self.room + size - self.element : self.room + size]
+            ):
+                size += self.element
+        return size
 
     def sent_size(self, size: int) -> int:
         """The bytes that are sent for `size` bytes of the image, of elements that do not differ in size."""
@@ -167,12 +186,15 @@ class InnerLists:
             if sent_size > len(data):
                 return ListFault("incomplete", start + len(data) + self.fixed - inner.first)
             return self._measured(inner, data[:sent_size], extents)
-        if inner is not self.last:
+        if inner is not self.last or inner.continuation is not None:
             size = inner.size_in(image)
             if size is None:
                 return self._wrong_number(inner, extents)
         if inner.parts is not None:
-            return _elements(inner, inner.parts, data, size, start)
+            extent = _elements(inner, inner.parts, data, size, start)
+            if inner is self.last and isinstance(extent, ListExtent) and extent.size < len(data):
+                return ListFault("wrong_length", start + extent.size)
+            return extent
         if inner.packing is not None and size is None:
             return _packed_numbers(inner, inner.packing, len(data), start)
         size = size if size is None else inner.sent_size(size)
@@ -275,7 +297,7 @@ class InnerLists:
         """The bytes that are sent for a list in an image."""
         piece = image[inner.room :]
         if inner is not self.last:
-            piece = piece[: inner.size_in(image)]
+            piece = piece[: inner.room_size_in(image)]
         if inner.decision is not None:
             return piece[: inner.decision.size_in(image)]
         if inner.packing is not None:
@@ -314,9 +336,12 @@ def _place_in_list(inner: InnerList, extent: ListExtent, offset: int) -> int:
 
 
 def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None, start: int) -> ListExtent | ListFault:
-    """The elements of a list whose elements differ in size: those within `size` bytes of the image, or all."""
+    """The elements of a list whose elements differ in size: those within `size` bytes of the image, or all.
+
+    They may say that more follow.
+    """
     sizes: list[int] = []
-    offset = 0
+    offset, continuation = 0, inner.continuation
     while offset < len(data) if size is None else len(sizes) * inner.element < size:
         if len(sizes) * inner.element == inner.most:
             return ListFault("wrong_length", start + offset)
@@ -326,6 +351,10 @@ def _elements(inner: InnerList, parts: InnerLists, data: bytes, size: int | None
         if offset + element_size > len(data):
             return ListFault("incomplete", start + len(data))
         sizes.append(element_size)
+        if continuation is not None and size is not None and continuation.follows(data[offset : offset + element_size]):
+            if size == inner.most:
+                return ListFault("wrong_measure", start + offset + continuation.offset)
+            size += inner.element
         offset += element_size
     if len(sizes) * inner.element < inner.least:
         return ListFault("incomplete", start + offset)
@@ -359,7 +388,8 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
     presence = {"presence": presence_data(row.presence)} if row.presence is not None else {}
     sent_plus = {"sentPlus": row.sent_plus} if row.sent_plus is not None else {}
     places = {"first": row.first, "room": row.room}
-    kinds = {**parts, **decision, **packing, **presence, **sent_plus}
+    continuation = {"more": continuation_data(row.continuation)} if row.continuation is not None else {}
+    kinds = {**parts, **decision, **packing, **presence, **sent_plus, **continuation}
     return {**names, **places, **bounds, **count, **plus, **is_little, **kinds}
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.record import Record, bit_count
+from fieldspec.language.model.stated_bits import stated_bits
 
 if TYPE_CHECKING:
     from typing import Any
@@ -79,11 +80,7 @@ def presence_layout(record: Record, name: str, size: int, enums: Mapping[str, En
     selector = record.named(presence.by) if presence is not None else None
     if presence is None or selector is None or selector.value is None:
         return None
-    if presence.bit is not None:
-        return PresenceLayout(presence.by, 1 << presence.bit, (presence.value << presence.bit,))
-    members = (enums[selector.value.enum].named(member) for member in presence.when)
-    numbers = sorted({member.value for member in members if member is not None})
-    return PresenceLayout(presence.by, (1 << 8 * selector.value.size) - 1, tuple(numbers))
+    return PresenceLayout(presence.by, *stated_bits(presence, selector.value, enums))
 
 
 def presence_data(presence: PresenceLayout) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import takewhile
 
+from fieldspec.codec.layout.continuation import Continuation
 from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
 from fieldspec.codec.layout.packing import Packing, packing_of
 from fieldspec.codec.layout.presence import PresenceLayout
@@ -47,7 +48,8 @@ class FieldLayout:
     with the bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of
     equal sizes the number to write first; it is empty if all bytes are the value. For the bit count of a write
     request, `bits_of` is the list into whose bytes the bits are packed; it is empty for other fields. `presence`
-    says what decides whether it is sent, None where it always is. It `counts_sent` bytes of differing elements.
+    says what decides whether it is sent, None where it always is. It `counts_sent` bytes of differing elements. A
+    `continuation` is what its elements say of the next.
     """
 
     field: Field
@@ -66,6 +68,7 @@ class FieldLayout:
     selector: FieldLayout | None = None
     presence: PresenceLayout | None = None
     counts_sent: bool = False
+    continuation: Continuation | None = None
 
     @property
     def measure(self) -> Measure | None:
@@ -246,7 +249,8 @@ class RecordLayout:
     def has_single_list(self) -> bool:
         """Whether the number of elements of its only list, each of whole bytes, decides its size."""
         lists = [field for field in self.fields if field.count is None]
-        return not self.has_differing and len(lists) == 1 and not any(field.packing for field in self.fields)
+        is_open = any(field.packing or field.continuation for field in self.fields)
+        return not self.has_differing and len(lists) == 1 and not is_open
 
     def room_of(self, field: FieldLayout) -> InnerList | None:
         """The room of a list that another list follows in an image, None for other fields."""
@@ -285,11 +289,12 @@ class RecordLayout:
         )
         return replace(self, fields=tuple(fields))
 
-    def with_bit_counts(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Raw values with the bits that count lists as these have elements."""
+    def with_list_bits(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Raw values with the bits that count lists, or say that another element follows, as these have elements."""
         counts = [(own.name, own.presence) for own in self.fields if own.presence and own.has_count_in_bits]
         numbers = {own.by: own.filled(values[own.by], len(values[name])) for name, own in counts}
-        return {**values, **numbers}
+        lists = {own.name: own.continuation.ended(values[own.name]) for own in self.fields if own.continuation}
+        return {**values, **numbers, **lists}
 
     def of_number(self, number: object) -> RecordLayout | None:
         """The record for a value of the selector, None if it decides none."""
@@ -318,8 +323,10 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
         element = 1 if is_text else field.size
         low, high = (0, field.size) if is_text else field.bounds
         inner = InnerList(field.name, first, room, element, low * element, high * element, packing=field.packing)
+        inner = replace(inner, continuation=field.continuation)
         count = (text_count if is_text else list_count)(record.record, field.field)
-        if is_element or field is not last or (count is not None and by_name[count.name].counts_sent):
+        is_counted_sent = count is not None and by_name[count.name].counts_sent
+        if is_element or field is not last or field.continuation is not None or is_counted_sent:
             if field.presence is not None:
                 decider = by_name[field.presence.by]
                 inner = replace(_with_number_at(inner, decider, places[decider.name]), presence=field.presence)
@@ -329,6 +336,8 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
                 inner = _with_count(inner, by_name[count.name], places[count.name])
         if field.record is not None and field.record.size is None:
             inner = replace(inner, parts=inner_lists_of(field.record, is_element=True))
+        elif field.continuation is not None:
+            inner = replace(inner, parts=InnerLists((), field.size))
         if field.selector is not None:
             inner = replace(inner, decision=_decision(field, field.selector, places[field.selector.name]))
         lists.append(inner)

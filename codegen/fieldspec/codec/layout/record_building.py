@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from fieldspec.codec.layout.presence import presence_layout
+from fieldspec.codec.layout.continuation import Continuation
+from fieldspec.codec.layout.presence import PresenceLayout, presence_layout
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, Orders, RecordLayout, inner_lists_of
 from fieldspec.codec.layout.widths import Span
-from fieldspec.foundation.classes import replace
+from fieldspec.foundation.classes import TYPE_CHECKING, replace
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.record import Choice, Field, Record, text_count
+from fieldspec.language.model.stated_bits import legal_numbers, stated_bits
+
+if TYPE_CHECKING:
+    from typing import Literal
 
 
 def record_layout(
@@ -30,6 +35,11 @@ def _varies(field: Field, records: Mapping[str, RecordLayout]) -> bool:
     if field.record and records[field.record].size is None:
         return True
     return field.repeat is not None or field.choice is not None or _is_packed(field)
+
+
+def _is_never_open(field: Field) -> bool:
+    """Whether the end of the data does not end a field, even if that comes last."""
+    return field.choice is not None or field.continuation is not None or _is_packed(field)
 
 
 def _is_packed(field: Field) -> bool:
@@ -93,7 +103,7 @@ def _fixed(
     fields: list[FieldLayout] = []
     differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
     lists = [field for field in record.fields if _varies(field, records)]
-    is_inner = any(field is not record.fields[-1] or field.choice or _is_packed(field) for field in lists)
+    is_inner = any(field is not record.fields[-1] or _is_never_open(field) for field in lists)
     is_inner |= bool(differing)
     remaining_fields = [field for field in record.fields if field not in lists]
     for field in (*remaining_fields, *lists) if is_inner else record.fields:
@@ -109,8 +119,8 @@ def _fixed(
         )
         measures = field.measures
         counts_sent = measures is not None and measures.of == "bytes" and measures.field in differing
-        presence = presence_layout(record, field.name, size, enums)
-        field_layout = replace(field_layout, presence=presence, counts_sent=counts_sent)
+        presence, continuation = presence_layout(record, field.name, size, enums), _continuation(field_layout, enums)
+        field_layout = replace(field_layout, presence=presence, counts_sent=counts_sent, continuation=continuation)
         fields.append(_with_forms(field_layout, fields))
         offset += size * (field.repeat.high if field.repeat is not None else count or 1)
     if any(field.value is not None and field.value.width for field in fields):
@@ -123,6 +133,20 @@ def _fixed(
     maximum = fixed + sum(field.sent_bounds[1] for field in varying)
     layout = RecordLayout(record, record.name, tuple(fields), None, minimum, maximum)
     return replace(layout, inner_lists=inner_lists_of(layout)) if is_inner else layout
+
+
+def _continuation(field: FieldLayout, enums: Mapping[str, Enum]) -> Continuation | None:
+    """The bits of each element that say whether another one follows; None for other fields."""
+    continuation = field.field.continuation
+    decider = field.record.named(continuation.by) if continuation is not None and field.record is not None else field
+    if continuation is None or decider is None or decider.value is None:
+        return None
+    presence = PresenceLayout(continuation.by, *stated_bits(continuation, decider.value, enums))
+    offset = decider.offset if field.record is not None else 0
+    order: Literal["big", "little"] = "big" if decider.order == "big" else "little"
+    is_free = continuation.bit is not None and not decider.value.enum and decider.value.writable_ranges is None
+    legal = None if is_free else legal_numbers(continuation, decider.value, enums)
+    return Continuation(presence, offset, decider.size, order, legal)
 
 
 def _with_forms(field: FieldLayout, before: list[FieldLayout]) -> FieldLayout:

@@ -6,12 +6,12 @@ import struct
 from collections.abc import Mapping
 from typing import Any
 
-from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.inner_lists import InnerLists
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.codec.reference.bits import number_of_bits
+from fieldspec.codec.reference.list_bits import wrong_bit_number, wrong_list_bits
 from fieldspec.codec.reference.quantities import special_name
 from fieldspec.codec.reference.structs import record_struct
 from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes, text_refusal
@@ -205,24 +205,13 @@ def _check_measures(record: RecordLayout, values: Values, offset: int) -> None:
         if measured is not None and values[field.name] != measured:
             text = f"{field.name} is {values[field.name]}, but there are {measured}"
             raise CodecError("wrong_measure", text, offset + field.offset)
-        _check_bit_number(field, values, offset)
-    _check_counts(record, values, offset)
+        _refuse_measure(wrong_bit_number(field, values), offset)
+    _refuse_measure(wrong_list_bits(record, values), offset)
 
 
-def _check_counts(record: RecordLayout, values: Mapping[str, Any], offset: int | None) -> None:
-    for field in record.fields:
-        _check_bit_number(field, values, offset)
-        presence = field.presence
-        if presence is not None and not presence.fits(values[presence.by], len(values[field.name])):
-            decider = next(other for other in record.fields if other.name == presence.by)
-            text = f"{presence.text(field.name, values[presence.by])}, but there are {len(values[field.name])}"
-            raise CodecError("wrong_measure", text, None if offset is None else offset + decider.offset)
-
-
-def _check_bit_number(field: FieldLayout, values: Mapping[str, Any], offset: int | None) -> None:
-    if field.bits_of and packed_size(values[field.name]) != len(values[field.bits_of]):
-        text = f"{field.name} is {values[field.name]}, but {field.bits_of} has {len(values[field.bits_of])} bytes"
-        raise CodecError("wrong_measure", text, None if offset is None else offset + field.offset)
+def _refuse_measure(wrong: tuple[str, int] | None, offset: int | None) -> None:
+    if wrong is not None:
+        raise CodecError("wrong_measure", wrong[0], None if offset is None else offset + wrong[1])
 
 
 def _measured(record: RecordLayout, field: FieldLayout, values: Mapping[str, Any]) -> int | None:
@@ -277,7 +266,7 @@ def _encoded_fields(record: RecordLayout, values: Mapping[str, Any], device: Dev
         measured = _measured(record, field, raw)
         if measured is not None:
             raw[field.name] = _in_range(field.name, field.value, measured)
-    _check_counts(record, raw, None)
+    _refuse_measure(wrong_list_bits(record, raw), None)
     return raw
 
 

@@ -29,7 +29,8 @@ def is_sequence(record: RecordLayout) -> bool:
     measured = {other.field.measures.field for other in record.fields if other.field.measures is not None}
     measured |= {field.name for field in record.fields if field.presence is not None}
     has_ends = all(not field.varies or field.name in measured for field in record.sent_fields[:-1])
-    return has_ends and not record.has_differing and not any(field.packing for field in record.fields)
+    is_open = any(field.packing or field.continuation for field in record.fields)
+    return has_ends and not record.has_differing and not is_open
 
 
 def _struct(record: RecordLayout) -> construct.Struct:
@@ -38,9 +39,20 @@ def _struct(record: RecordLayout) -> construct.Struct:
 
 def _list_of_count(record: RecordLayout, field: FieldLayout) -> construct.Construct:
     """A list with fields after it: the number of elements in another field, in its room in an image."""
-    elements = construct.Array(_number_of(record, field), _element(record, field))
+    continuation, element = field.continuation, _element(record, field)
+    if continuation is None:
+        elements = construct.Array(_number_of(record, field), element)
+    else:
+        ended = construct.RepeatUntil(lambda own, elements, context: not continuation.follows(own), element)
+        elements = construct.IfThenElse(_is_sent(field), ended, element[0])
     room = record.room_of(field)
     return elements if room is None else construct.Padded(room.most, elements)
+
+
+def _is_sent(field: FieldLayout) -> Callable[[Any], bool] | bool:
+    """Whether a list whose elements say which is the last has a first element."""
+    presence = field.presence
+    return True if presence is None else lambda context: presence.is_met(context[presence.by])
 
 
 def _number_of(record: RecordLayout, field: FieldLayout) -> Callable[[Any], int]:

@@ -78,6 +78,8 @@ def _rows(field: FieldLayout, base: int | None, has_place: bool) -> Iterator[tup
     choice = field.field.choice
     if field.field.presence is not None:
         name = f"{name}, if {field.field.presence.condition}"
+    if field.field.continuation is not None:
+        name = f"{name}, and another one if {field.field.continuation.condition}"
     if choice is None:
         yield (place_text, _type(field, field.record.name if field.record else ""), name, label, *_value(field.value))
         return

@@ -59,6 +59,9 @@ def _matching_records(layout: DeviceLayout, name: str) -> Iterator[tuple[RecordL
         optional = next((own.name for own in record.fields if own.field.presence is not None), "")
         if optional:
             raise UsageError(f"{record.name} has no layout: {optional} is optional")
+        ended = next((own.name for own in record.fields if own.continuation is not None), "")
+        if ended:
+            raise UsageError(f"{record.name} has no layout: the elements of {ended} say which is the last")
         if record.inner_lists is not None:
             repeated_name = next(
                 (own.name for own in record.inner_lists.lists if own.parts), record.inner_lists.lists[0].name

@@ -69,6 +69,23 @@ class Packing:
         return packed.to_bytes(size, self.order)
 
 
+class More:
+    """Another element follows one whose number, `length` bytes at `at` in it, has in `mask` one of some numbers."""
+
+    __slots__ = ("at", "following", "length", "mask", "order")
+
+    def __init__(
+        self, at: int, length: int, order: Literal["big", "little"], mask: int, following: tuple[int, ...]
+    ) -> None:
+        self.at, self.length, self.mask, self.following = at, length, mask, following
+        self.order: Literal["big", "little"] = order
+
+    def follows(self, element: bytes) -> bool:
+        """Whether another element follows this one."""
+        number = int.from_bytes(element[self.at : self.at + self.length], self.order)
+        return number & self.mask in self.following
+
+
 class InnerList:
     """A list after `first` bytes of other fields; in the image, and in refusals of it, its place is `room`.
 
@@ -78,7 +95,8 @@ class InnerList:
     the size of an element where elements differ in size, and a `decision` that of the only element; these have `size`
     bytes in the image. With a `packing`, numbers are sent in fewer bits. With a `presence`, a mask and numbers, the
     only element is sent if these bits of the number are one of the numbers; without numbers, these bits are the count.
-    With a `sent_plus`, what is sent is the number of the sent bytes and this number more.
+    With a `sent_plus`, what is sent is the number of the sent bytes and this number more. With `more`, elements say
+    which of them is the last, and the count is one.
     """
 
     __slots__ = (
@@ -87,6 +105,7 @@ class InnerList:
         "first",
         "length",
         "letters",
+        "more",
         "order",
         "packing",
         "parts",
@@ -112,6 +131,7 @@ class InnerList:
         packing: Packing | None = None,
         presence: tuple[int, tuple[int, ...]] | None = None,
         sent_plus: int | None = None,
+        more: More | None = None,
     ) -> None:
         self.letters, self.size, self.first, self.room = letters, size, first, room
         self.sizes = range(bounds[0] * size, bounds[1] * size + 1, size)
@@ -119,6 +139,7 @@ class InnerList:
         self.order: Literal["big", "little"] = count[2]
         self.parts, self.decision, self.packing, self.presence = parts, decision, packing, presence
         self.sent_plus = sent_plus
+        self.more = more
 
     @property
     def number_at(self) -> int:
@@ -128,7 +149,7 @@ class InnerList:
     def count_size(self, data: bytes) -> int:
         """The bytes of the list in the image, as its count in some data says."""
         if not self.length:
-            return self.sizes[-1]
+            return self.sizes[-1] if self.more is None else self.size
         number = int.from_bytes(data[self.at : self.at + self.length], self.order)
         if self.presence is not None:
             mask, numbers = self.presence
@@ -136,6 +157,14 @@ class InnerList:
                 return self.size if number & mask in numbers else 0
             number = (number & mask) // (mask & -mask)
         return (number - self.plus) * self.unit
+
+    def image_size(self, image: bytes, start: int) -> int:
+        """The same, in an image in which the list is at a start."""
+        size, more = self.count_size(image), self.more
+        if more is not None and size:
+            while more.follows(image[start + size - self.size : start + size]):
+                size += self.size
+        return size
 
     def checked_size(self, data: bytes, at: int) -> int:
         """The same, refused at the count if the number is not possible."""
@@ -171,7 +200,7 @@ class InnerList:
         data.
         """
         sizes: list[int] = []
-        at, least, most = 0, self.sizes[0], self.sizes[-1]
+        at, least, most, more = 0, self.sizes[0], self.sizes[-1], self.more
         while at < len(data) if size is None else len(sizes) * self.size < size:
             if len(sizes) * self.size == most:
                 raise CodecError("wrong_length", f"a list has more than {len(sizes)} elements", start + at)
@@ -182,6 +211,10 @@ class InnerList:
             if at + own > len(data):
                 raise CodecError("incomplete", "an element has more bytes", start + len(data))
             sizes.append(own)
+            if more is not None and size is not None and more.follows(data[at : at + own]):
+                if size == most:
+                    raise CodecError("wrong_measure", f"more than {len(sizes)} elements follow", start + at + more.at)
+                size += self.size
             at += own
         if len(sizes) * self.size < least:
             raise CodecError("incomplete", f"a list has {len(sizes)} elements", start + at)
@@ -278,13 +311,16 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             elif inner.sent_plus is not None:
                 left, size = self._measured(inner, inner.sent_plus, fields, left, extents, data), None
             else:
-                size = None if is_last else inner.checked_size(fields, self._place(extents, inner.number_at) or 0)
+                is_open = is_last and inner.more is None
+                size = None if is_open else inner.checked_size(fields, self._place(extents, inner.number_at) or 0)
             if inner.parts is not None and inner.sent_plus is not None:
                 number_at = self._place(extents, inner.number_at) or 0
                 sizes = inner.measured_elements(inner.parts, data[at : at + left], at, number_at)
                 numbers.append(len(sizes))
             elif inner.parts is not None:
                 sizes = inner.elements(inner.parts, data[at : at + left], size, at)
+                if is_last and sum(sizes) < left:
+                    raise CodecError("wrong_length", f"{self.name} has more bytes", at + sum(sizes))
                 numbers.append(len(sizes))
             else:
                 sent = self._checked(inner, left, at) if size is None else inner.sent_size(size)
@@ -314,7 +350,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         data, at, start, fields = b"", 0, self.fixed, image
         pieces: list[bytes] = []
         for inner in self.lists:
-            size = len(image) - start if inner is self.lists[-1] else inner.count_size(image)
+            size = len(image) - start if inner is self.lists[-1] else inner.image_size(image, start)
             taken = size if inner.decision is None else inner.decision.size(image, 0)
             pieces.append(inner.sent(image[start : start + taken]))
             if inner.sent_plus is not None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from fieldspec.foundation.classes import replace
 from fieldspec.language.changes.comparison import Comparison, fields_beside
-from fieldspec.language.model.record import STEP_FIELDS, Field, Message
+from fieldspec.language.model.record import STEP_FIELDS, Field, Message, Presence
 
 
 def segments_text(comparison: Comparison | None, message: Message) -> str:
@@ -63,16 +64,31 @@ def _renamed(comparison: Comparison, message: Message, name: str) -> str:
     return request_name if request_name != name else comparison.renamed_to(f"messages/{message.name}/response", name)
 
 
-def presence_text(comparison: Comparison | None, holder_path: str, field: Field) -> str:
-    """What says whether a field is sent, with the names of the new state; empty where nothing does."""
-    presence = field.presence
+SUBJECTS_OF_BITS = {
+    "present_if": "what says whether it is sent",
+    "more_if": "what says whether another element follows",
+}
+"""The meaning of the bits under each key."""
+
+
+def bits_text(comparison: Comparison | None, holder_path: str, field: Field, key: str) -> str:
+    """The bits under a key of a field, with the names of the new state; empty where none are."""
+    presence = field.presence if key == "present_if" else field.continuation
     if presence is None:
         return ""
+    if key == "present_if":
+        return _bits_text(comparison, holder_path, presence, fields_beside(field, comparison.old) if comparison else ())
+    element = comparison.old.records.get(field.record) if comparison is not None else None
+    fields = (replace(field, name=""),) if element is None else element.fields
+    return _bits_text(comparison, f"records/{field.record}", presence, fields)
+
+
+def _bits_text(comparison: Comparison | None, holder_path: str, presence: Presence, fields: tuple[Field, ...]) -> str:
+    """The bits or members of one of some fields that say that something is sent."""
     name = presence.by if comparison is None else comparison.renamed_to(holder_path, presence.by)
     if presence.bit is not None:
-        return f"bit {presence.bit} of {name} if it is {presence.value}"
-    fields = () if comparison is None else fields_beside(field, comparison.old)
+        return f"bit {presence.bit} of {name or 'each element'} if it is {presence.value}"
     enum = next((own.value.enum for own in fields if own.name == presence.by and own.value is not None), "")
     path = f"enums/{enum}"
     members = [comparison.renamed_to(path, own) if comparison is not None else own for own in presence.when]
-    return f"{name} if it is {' or '.join(sorted(members))}"
+    return f"{name or 'each element'} if it is {' or '.join(sorted(members))}"

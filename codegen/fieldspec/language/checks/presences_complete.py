@@ -1,10 +1,11 @@
 """The field that says by its bits whether another one is sent, or how many elements it has, comes before it in its
 record. It is one unsigned binary number of at most four bytes that programs set: not a constant, reserved, optional,
 computed or a parameter. It has the bit, or the enum with the members. At most 16 bits count a list with `repeat`, and
-the field with them has no `range`, scale, enum or special values. Nothing else measures such fields. The data of
-exception responses, and of messages that access registers, have none.
+the field with them has no `range`, scale, enum or special values. The number that says whether another element follows
+is such a number, too; in a record, only fields of fixed size come before it. Some numbers say so, and others not.
+Nothing else measures such fields. The data of exception responses, and of messages that access registers, have none.
 
-Why: a decoder reads the deciding field first, and then knows how many bytes of the other field follow.
+Why: a decoder reads the deciding number first, and then knows how many bytes follow.
 
 Example: `present_if: {by: flags, bit: 9}` for a field `flags` of the type `u8`.
 
@@ -16,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from fieldspec.foundation.classes import replace
 from fieldspec.language.checks.facts import layers, nested_fields
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
@@ -24,9 +26,11 @@ from fieldspec.language.model.encoding import Whole, is_signed
 from fieldspec.language.model.raw_numbers import orders_of
 from fieldspec.language.model.record import Field, Measure, Presence, Record
 from fieldspec.language.model.sizes import RecordSizes
+from fieldspec.language.model.stated_bits import legal_numbers
+from fieldspec.language.model.value import Value
 
 _CODE = "presences_complete"
-_KEY = "present_if"
+_KEY, _MORE = "present_if", "more_if"
 _MOST_BYTES = 4
 _MOST_BITS = 16
 
@@ -41,7 +45,13 @@ def presences_complete(device: Device) -> Iterator[Diagnostic]:
                 yield finding(_CODE, field.place, _KEY, text, "remove `present_if`, or leave the field out")
             if field.presence is not None:
                 yield from _decided(device, layer, field, field.presence)
+            if field.presence is not None or field.continuation is not None:
                 yield from _measured(layer, field)
+            if field.continuation is not None:
+                is_refusing = layer.name in refusing and device.records.get(layer.name) is layer
+                for problem, help in _end_problems(device, sizes, layer, field, field.continuation, is_refusing):
+                    text = f"the elements of {field.name} say whether more follow, {problem}"
+                    yield finding(_CODE, field.place, _MORE, text, help)
             measured = layer.named(field.bit_measure.field) if field.bit_measure is not None else None
             if field.bit_measure is not None and measured is not None:
                 is_refusing = layer.name in refusing and device.records.get(layer.name) is layer
@@ -55,15 +65,22 @@ def presences_complete(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
         bodies = (message.request, message.response) if message.accesses else ()
         optional = next(
-            (own for body in bodies for own in nested_fields(device, body.fields) if own.presence or own.bit_measure),
-            None,
+            (own for body in bodies for own in nested_fields(device, body.fields) if _stated_key(own)), None
         )
         if optional is not None:
-            problem = "is optional" if optional.presence is not None else "counts a list in its bits"
-            text = f"{message.name} reads or writes registers, and {optional.name} {problem}"
+            key = _stated_key(optional)
+            text = f"{message.name} reads or writes registers, and {optional.name} {_PROBLEMS[key]}"
             help = "remove `accesses`, or state a message for each case"
-            key = _KEY if optional.presence is not None else "measures"
             yield finding(_CODE, message.place, "accesses", text, help, label(optional.place, key, optional.name))
+
+
+_PROBLEMS = {_KEY: "is optional", _MORE: "ends where an element says so", "measures": "counts a list in its bits"}
+
+
+def _stated_key(field: Field) -> str:
+    """The key of a field by which bits decide on elements; empty where none do."""
+    is_stated = {_KEY: field.presence, _MORE: field.continuation, "measures": field.bit_measure}
+    return next((key for key, own in is_stated.items() if own is not None), "")
 
 
 def _decided(device: Device, layer: Record, field: Field, presence: Presence) -> Iterator[Diagnostic]:
@@ -98,7 +115,7 @@ def _count_problems(
         yield f"but {objection or 'it is a number with a meaning of its own'}", "name bits of one unsigned number"
     if high - low >= _MOST_BITS:
         yield f"in {high - low + 1} bits", f"a count has at most {_MOST_BITS} bits"
-    if measured.repeat is None or measured.presence is not None or measured.choice is not None:
+    if measured.repeat is None or measured.choice is not None or _stated_key(measured) in (_KEY, _MORE):
         yield "which has no number of elements", "state the `repeat` of a list that is always sent, of one type"
     is_packed = measured.value is not None and measured.value.packed_bits > 0
     if measure.of == "bytes" and (is_packed or sizes.element(measured) is None):
@@ -108,6 +125,34 @@ def _count_problems(
         yield "which another field measures as well", "remove one of them"
     if refuses:
         yield f"and {layer.name} is the data of exceptions", "state a fixed `count`, or list the repeated field last"
+
+
+def _end_problems(
+    device: Device, sizes: RecordSizes, layer: Record, field: Field, continuation: Presence, refuses: bool
+) -> Iterator[tuple[str, str]]:
+    """The problems of a list whose elements say whether another one follows, each with a help."""
+    element = device.records.get(field.record)
+    decider = element.named(continuation.by) if element is not None else replace(field, repeat=None)
+    if decider is None:
+        return
+    objection = _objection(device, decider, continuation.bit, needs_enum=continuation.bit is None)
+    if objection:
+        yield f"but {decider.name} cannot: {objection}", "name one unsigned number with the bit or the enum"
+    elif decider.value is not None and _always_says_the_same(device, decider.value, continuation):
+        yield f"but {decider.name} always says the same", "name a bit that differs, or other members"
+    before = element.fields[: element.fields.index(decider)] if element is not None else ()
+    varying = next((own for own in before if not sizes.is_fixed(own)), None)
+    if varying is not None:
+        yield f"but {varying.name} before {decider.name} has no fixed size", "name a field before it"
+    if refuses:
+        yield f"and {layer.name} is the data of exceptions", "state a fixed `count`, or list the repeated field last"
+
+
+def _always_says_the_same(device: Device, value: Value, continuation: Presence) -> bool:
+    """Whether all numbers of a value say that another element follows, or none does."""
+    enum = device.enums.get(value.enum)
+    is_known = enum is None or all(enum.named(name) is not None for name in continuation.when)
+    return is_known and None in legal_numbers(continuation, value, device.enums)
 
 
 def _objection(device: Device, decider: Field, bit: int | None, needs_enum: bool) -> str:
@@ -128,9 +173,10 @@ def _objection(device: Device, decider: Field, bit: int | None, needs_enum: bool
 
 
 def _measured(layer: Record, field: Field) -> Iterator[Diagnostic]:
-    """The findings of fields that measure an optional one."""
+    """The findings of fields that measure an optional one, or a list whose elements say which is the last."""
+    key = _stated_key(field)
     for other in layer.fields:
         if other.measures is not None and other.measures.field == field.name:
-            text = f"{other.name} measures {field.name}, which is optional"
-            help = "remove `measures`, or `present_if`: the number of bytes or elements says it already"
+            text = f"{other.name} measures {field.name}, which {_PROBLEMS[key]}"
+            help = f"remove `measures`, or `{key}`: the number of bytes or elements says it already"
             yield finding(_CODE, other.place, "measures", text, help)

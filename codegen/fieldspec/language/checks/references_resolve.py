@@ -225,6 +225,13 @@ def _within(
         if (presence := field.presence) is not None:
             yield from _named(field.place, "present_if", "field here", presence.by, own)
             yield from _of_members(device, layer.named(presence.by), field.place, "present_if", presence.when)
+        if (continuation := field.continuation) is not None:
+            element = device.records.get(field.record)
+            if element is not None:
+                names = [other.name for other in element.fields]
+                yield from _named(field.place, "more_if", f"field of {element.name}", continuation.by, names)
+            decider = element.named(continuation.by) if element is not None else field
+            yield from _of_members(device, decider, field.place, "more_if", continuation.when)
         for value in [field.value, *(case.value for case in cases(field))]:
             yield from _parameter_references(field, value, numbers)
         if field.choice is not None:

@@ -1,9 +1,10 @@
 """A repeated field permits at least one element, and its end is known: by the end of the data, less the fixed bytes
-after it, or by an earlier field that `measures` it. If data of varying size follows, or if the list is in a record
-within another record, the measuring field is an unsigned binary number of one or two bytes. A record of varying size
-can be part of messages and of other such records, once, `count` times or repeated, if an earlier field in it measures
-each of its lists and texts of varying width. A field that counts the bytes of such records is also such a number, and
-has no `range`. The data of exception responses, and of messages that access registers, has lists only at its end.
+after it, by an earlier field that `measures` it, or by its elements with `more_if`. If data of varying size follows, or
+if the list is in a record within another record, the measuring field is an unsigned binary number of one or two bytes.
+A record of varying size can be part of messages and of other such records, once, `count` times or repeated, if an
+earlier field in it, or `more_if`, determines the end of each of its lists and texts of varying width. A field that
+counts the bytes of such records is also such a number, and has no `range`. The data of exception responses, and of
+messages that access registers, has lists only at its end.
 
 Why: without a field that counts the elements, their number follows only from the end of the data. Records that differ
 in size can be separated only by counts within them.
@@ -86,7 +87,7 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
         other for other in layer.fields[:index] if (own := other.stated_measure) is not None and own.field == field.name
     ]
     varying = next((other for other in later_fields if not sizes.is_fixed(other)), None)
-    is_open = field.repeat is not None and not field.is_optional and field.choice is None
+    is_open = field.repeat is not None and not field.tells_end and field.choice is None
     is_open &= varying is not None or not is_body
     last = varying or later_fields[-1]
     if is_open and not counts:

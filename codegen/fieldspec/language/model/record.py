@@ -60,7 +60,8 @@ class Choice:
 class Presence:
     """A field is sent if the field `by` before it has a `bit` with the value `value`, or a member in `when`.
 
-    `bit` is None where members decide.
+    `bit` is None where members decide. For the next element of a list, `by` is a field of each element, or empty where
+    elements have no fields.
     """
 
     by: str
@@ -71,9 +72,10 @@ class Presence:
     @property
     def condition(self) -> str:
         """`bit 3 of flags is 1`, or `kind is place or speed`: when the field is sent."""
+        name = self.by or "it"
         if self.bit is not None:
-            return f"bit {self.bit} of {self.by} is {self.value}"
-        return f"{self.by} is {' or '.join(self.when)}"
+            return f"bit {self.bit} of {name} is {self.value}"
+        return f"{name} is {' or '.join(self.when)}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -83,8 +85,8 @@ class Field(Fact):
     Exactly one of `value`, `record` (a name, else empty) and `choice` is given. `signal` names the signal that it
     places, else empty. `at`, `words`, `span` in bytes and `word_span` are what the manual prints. A constant
     that `is_implied` is not in the spec: a byte of the record's `separator`, or a DLC. A field with a `presence`
-    repeats from 0 on. It `measures` another field as a whole, or by a `bit_measure` in some of its bits, which programs
-    set and codecs compare.
+    repeats from 0 on; a list with a `continuation` ends after the first element that does not meet it. It `measures`
+    another field as a whole, or by a `bit_measure` in some of its bits, which programs set and codecs compare.
     """
 
     value: Value | None
@@ -94,6 +96,7 @@ class Field(Fact):
     count: int | None
     repeat: Ranges | None
     presence: Presence | None
+    continuation: Presence | None
     measures: Measure | None
     bit_measure: Measure | None
     reserved: bool
@@ -122,6 +125,11 @@ class Field(Fact):
     def is_optional(self) -> bool:
         """Whether it has one element or none, as another field says."""
         return self.presence is not None and self.repeat is not None and self.repeat.high == 1
+
+    @property
+    def tells_end(self) -> bool:
+        """Whether it has no more than one element, or its elements say which of them is the last."""
+        return self.is_optional or self.continuation is not None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -93,7 +93,7 @@ class RecordSizes:
         for field in record.fields:
             if self.is_fixed(field):
                 continue
-            has_end = field.repeat is None or list_count(record, field) is not None or field.is_optional
+            has_end = field.repeat is None or list_count(record, field) is not None or field.tells_end
             is_packed = field.value is not None and field.value.packed_bits > 0
             is_decided = is_packed or field.choice is not None
             has_end &= self.element(field) is not None or self.tells_size(field.record) or is_decided

@@ -232,6 +232,7 @@ class _Search:
             if key == "segments" and isinstance(child, Mapping) and fact is not None:
                 yield from self._of_segments(child, holder, fact, (*keys, key))
         yield from self._of_cases(node, holder, fact, keys)
+        yield from self._of_elements(node, holder, keys)
         for key, value_key in VALUED.items() if self.section in _ACTING else ():
             signal, value = node.values.get(key), node.values.get(value_key)
             if isinstance(signal, Scalar) and value is not None:
@@ -251,6 +252,18 @@ class _Search:
             members = value_of(case, "when")
             if members is not None and decider is not None:
                 yield from self._of_values(members, "when", [decider], holder, (*keys, "cases", number, "when"))
+
+    def _of_elements(self, node: Mapping, holder: str, keys: Keys) -> Iterator[Reference]:
+        """The field of the elements of a list that says whether another one follows, and the members that say so."""
+        continuation, record = node.values.get("more_if"), value_of(node, "record")
+        name, members = value_of(continuation, "in"), value_of(continuation, "when")
+        element = self.names["records"].get(record.text) if isinstance(record, Scalar) else node
+        if isinstance(name, Scalar) and element is not None:
+            element = _part(element, name.text, [])
+            if element is not None:
+                yield Reference(name, 0, len(name.text), "in", holder, element, (*keys, "more_if", "in"))
+        if members is not None and element is not None:
+            yield from self._of_values(members, "when", [element], holder, (*keys, "more_if", "when"))
 
     def _of_segments(self, segments: Mapping, holder: str, fact: Mapping, keys: Keys) -> Iterator[Reference]:
         """The members that say how a value is sent in pieces, and why a transfer is aborted."""

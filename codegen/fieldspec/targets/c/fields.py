@@ -90,6 +90,8 @@ def declare_member(naming: Naming, record: RecordLayout, field: FieldLayout) -> 
     presence, measure = field.field.presence, field.field.bit_measure
     relations = [f"Sent if {presence.condition}."] if presence is not None else []
     relations += [f"Contains {measure.text}."] if measure is not None else []
+    if (continuation := field.field.continuation) is not None:
+        relations.append(f"After an element, another one follows if {continuation.condition}.")
     yield describe_fact(field.field, describe_value(field.value), *relations)
     count = greatest_count(field) if field.is_list else None
     if field.cases:

@@ -9,6 +9,7 @@ from fieldspec.targets.c.expressions import INPUT_BYTES, SIZE_TYPE, Identifier
 from fieldspec.targets.c.fields import decoded_selector, select, words_around_images
 from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.presences import follows
 from fieldspec.targets.c.statements import Return, Variable
 
 _ENCODE = """static inline {status} {encode}({argument}uint8_t *out, size_t capacity, size_t *length)
@@ -87,7 +88,10 @@ def _table(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
 
 
 def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> str:
-    """`{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, 0u, NULL, NULL, 0u, false, false, false, 0L}`: see the struct."""
+    """The row of a list; see the struct.
+
+    `{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L}`
+    """
     numbers = (inner.first, inner.room, inner.element, inner.least, inner.most)
     is_optional = inner.presence is not None and bool(inner.presence.numbers)
     has_count = inner.count and not is_optional
@@ -95,8 +99,9 @@ def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> s
     count = (inner.count_at, inner.count_size if has_count else 0, inner.unit)
     is_little = "true" if inner.count_order == "little" else "false"
     field = record.named(inner.name)
-    element = field.record if field is not None and inner.parts is not None else None
+    element = field.record if field is not None and inner.parts is not None and inner.parts.lists else None
     measure = naming.function("record", element.name, "sent_size") if element is not None else "NULL"
+    tell = follows(naming, record, field) if field is not None and inner.continuation is not None else "NULL"
     decide = "NULL"
     if inner.decision is not None or is_optional:
         decide = naming.function("record", record.name, f"{inner.name}_decided_size")
@@ -106,7 +111,7 @@ def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> s
         is_low_first, is_signed = inner.packing.order == "little", inner.packing.number.sign.is_signed
         packing = f"{inner.packing.number.bits}u, {str(is_low_first).lower()}, {str(is_signed).lower()}"
     byte_count = "false, 0L" if inner.sent_plus is None else f"true, {inner.sent_plus}L"
-    return f"{{{places}, {inner.plus}L, {is_little}, {mask}u, {measure}, {decide}, {packing}, {byte_count}}}"
+    return f"{{{places}, {inner.plus}L, {is_little}, {mask}u, {measure}, {decide}, {tell}, {packing}, {byte_count}}}"
 
 
 def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:

@@ -16,7 +16,6 @@ from fieldspec.targets.c.expressions import (
     OUTPUT_BYTES,
     SIZE_TYPE,
     Call,
-    Cast,
     Conditional,
     Expression,
     Group,
@@ -54,7 +53,7 @@ from fieldspec.targets.c.inner_lists import decided_sizes, decode_inner_lists, e
 from fieldspec.targets.c.literals import ZERO, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.packing import check_members, check_unpacked, declare_packing, is_packed
-from fieldspec.targets.c.presences import bits_of, check_presences, is_present, present_sizes
+from fieldspec.targets.c.presences import check_presences, counts_in_image, following, present_sizes
 from fieldspec.targets.c.statements import (
     Assignment,
     Body,
@@ -111,6 +110,7 @@ def declare_record(naming: Naming, device: Device, record: RecordLayout, descrip
             *declarations,
             *decided_sizes(naming, record),
             *present_sizes(naming, record),
+            *following(naming, record),
             *(BLANK, comment(f"Writes the image of {name}, {about_image}.")),
             _encode_function(naming, device, record, bool(checks), "encode_image"),
             *(BLANK, writing, encode),
@@ -311,38 +311,13 @@ def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
             body += refuse(naming, less(LENGTH, minimum), "err_incomplete")
         body += refuse(naming, greater(LENGTH, maximum), "err_wrong_length")
     if repeat is None:
-        return (*body, *_counts_in_image(naming, record))
+        return (*body, *counts_in_image(naming, record))
     # Where the list begins with the record, `- 0u` stays, so that all records read alike.
     rest = Operation("-", (LENGTH, unsigned(last.offset)))
     if last.splits_record or last.size > 1:
         body += refuse(naming, different(Operation("%", (rest, size)), ZERO), "err_wrong_length")
     count = PointerMember(OUT, count_member(record, last))
-    return (*body, *_counts_in_image(naming, record), Assignment(count, Operation("/", (rest, size))))
-
-
-def _counts_in_image(naming: Naming, record: RecordLayout) -> Body:
-    """`out->points_count = load_u8(in + 1) / 4u;` for each list of an image that another list follows."""
-    body: Body = ()
-    for room in record.rooms:
-        if not room.count:
-            continue
-        field, count = record.named(room.name), record.named(room.count)
-        assert field is not None
-        assert count is not None
-        if field.field.repeat is None:
-            continue
-        number = decoded_selector(naming, count)
-        if room.presence is not None and room.presence.numbers:
-            items: Expression = Conditional(is_present(room.presence, number), unsigned(1), ZERO)
-            body = (*body, Assignment(PointerMember(OUT, count_member(record, field)), items))
-            continue
-        number = number if room.presence is None else Cast("size_t", bits_of(room.presence, number))
-        if room.plus:
-            less_plus = Operation("-" if room.plus > 0 else "+", (number, unsigned(abs(room.plus))))
-            number = Group(less_plus)
-        items = number if room.unit == room.element else Operation("/", (number, unsigned(room.element)))
-        body = (*body, Assignment(PointerMember(OUT, count_member(record, field)), items))
-    return body
+    return (*body, *counts_in_image(naming, record), Assignment(count, Operation("/", (rest, size))))
 
 
 def _read_fields(naming: Naming, device: Device, record: RecordLayout) -> Body:

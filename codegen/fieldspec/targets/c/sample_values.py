@@ -260,7 +260,7 @@ def _with_presences(device: Device, values: dict[str, Any], record: RecordLayout
         if field.presence is not None and field.presence.numbers:
             elements = values[field.name] or field_sample(device, field, low_value)
             values = {**values, field.name: elements[:1] if field.least_count(values) else []}
-    return record.with_bit_counts(values)
+    return record.with_list_bits(values)
 
 
 def fitting(device: Device, values: dict[str, Any], record: RecordLayout, changed: str = "") -> dict[str, Any]:

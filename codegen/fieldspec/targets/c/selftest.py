@@ -192,7 +192,7 @@ def _is_cut_short(record: RecordLayout) -> bool:
         return record.spans[-1].value is None
     if last.record is not None and last.record.size is None and last.record.least == 1:
         return False  # An element of one byte may be the last one: what is left is a shorter list.
-    return last.count is not None or last.size > 1
+    return last.count is not None or (last.size > 1 and last.packing is None)
 
 
 def _test_unknown_selector(naming: Naming, record: RecordLayout) -> Iterator[list[Statement]]:

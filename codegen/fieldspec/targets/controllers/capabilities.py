@@ -33,7 +33,7 @@ CONSTRUCTS = {
     "records": "records, also nested",
     "lists": "lists with a fixed number of elements",
     "inner_lists": "lists of varying length and choices before other fields, records of varying size, optional fields,"
-    " counts in bits",
+    " counts in bits, lists that tell their end",
     "choices": "fields whose type a different field selects",
     "groups": "register groups",
     "bits": "registers of single bits",

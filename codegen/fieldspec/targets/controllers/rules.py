@@ -87,7 +87,7 @@ Example: a field with `type: text, length: 8, padding: space`.
 Fix: Do without the omitted facts, or state the text as `bytes`.
 """,
     "plc_lists_last": """A list of free length, or a choice, comes last in its message, and elements have one size. No
-field is optional, and no bits of a field count a list.
+field is optional, and no bits count a list or end it.
 
 Why: after such a list or field, and in a list whose elements differ in size, the offset of a field differs from frame
 to frame, and the PLC functions have one offset for each field.

@@ -289,6 +289,8 @@ def _relations(field: FieldLayout) -> Iterator[Line]:
         yield (text_piece(f"{bits}the number of {measures.of} of "), code(measures.field), *adjustment)
     if field.field.presence is not None:
         yield (text_piece(f"sent if {field.field.presence.condition}"),)
+    if field.field.continuation is not None:
+        yield (text_piece(f"after an element, another one follows if {field.field.continuation.condition}"),)
     if field.field.same_as:
         yield (text_piece("the same as "), code(field.field.same_as), text_piece(" of the request"))
 

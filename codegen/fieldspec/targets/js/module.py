@@ -65,7 +65,7 @@ IMPORTS = {
         "within",
     ),
     "number_bits": ("halfOf", "magnitudeBits", "magnitudeOf"),
-    "lists": ("elementBytes", "elementsLength", "readAround", "sentOfImage"),
+    "lists": ("elementBytes", "elementsInImage", "elementsLength", "readAround", "sentOfImage"),
     "widths": ("narrowedImage", "readImage"),
 }
 """The helpers of the runtime by module."""

@@ -1,4 +1,4 @@
-"""Whether an optional field is sent, and how many elements a list has, as bits of a field in an array of bytes say."""
+"""Whether an optional field is sent, and which element of a list is the last, as bits in an array of bytes say."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from fieldspec.codec.layout.presence import PresenceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.members import slot_of
-from fieldspec.targets.js.text import plus
+from fieldspec.targets.js.number_bytes import place
+from fieldspec.targets.js.text import literal, plus
 from fieldspec.targets.js.values import throw_wrong_number
 
 
@@ -38,3 +39,23 @@ def presence_check(record: RecordLayout, field: FieldLayout, names: Names, count
         units = f"{count} * {field.presence.unit}" if field.presence.unit > 1 else count
         return [f"if ({bits_of(field.presence, number)} !== {plus(units, field.presence.plus)}) {wrong}"]
     return [f"if (({is_present(field.presence, number)}) !== ({count} > 0)) {wrong}"]
+
+
+def end_check(field: FieldLayout, names: Names, items: str) -> list[str]:
+    """The statements that refuse elements that are wrong about whether another one follows, in the bytes `b`.
+
+    `items` are the elements, an expression. Other fields have none.
+    """
+    continuation = field.continuation
+    decider = field if field.record is None or continuation is None else field.record.named(continuation.presence.by)
+    if continuation is None or decider is None:
+        return []
+    number = slot_of(decider, names).number("at", continuation.offset)
+    detail = literal(f"which is wrong about whether another one of {field.name} follows")
+    wrong = throw_wrong_number("wrong_measure", decider.name, number, detail, "null")
+    start = place("o", field.offset)
+    return [
+        f"for (let at = {start}, index = 1; index <= {items}.length; index++, at += {field.size}) {{",
+        f"  if (({is_present(continuation.presence, number)}) !== (index < {items}.length)) {wrong}",
+        "}",
+    ]

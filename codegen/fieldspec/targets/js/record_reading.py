@@ -127,10 +127,13 @@ def _read_list(record: RecordLayout, member: Member, names: Names) -> list[str]:
     start = place("o", field.offset)
     count = str(field.count) if field.count is not None else f"Math.floor((end - ({start})) / {field.size})"
     room = record.room_of(field)
+    items = "1"
+    if room is not None and room.continuation is not None:
+        items = count = f"elementsInImage({_list_data(record, field, names)}, b, {start})"
     if room is not None and room.count:
         number = _count_number(record, room, names)
         if room.presence is not None and room.presence.numbers:
-            count = f"{is_present(room.presence, number)} ? 1 : 0"
+            count = f"{is_present(room.presence, number)} ? {items} : 0"
         else:
             number = bits_of(room.presence, number) if room.presence is not None else number
             number = f"({plus(number, -room.plus)})" if room.plus else number
@@ -154,9 +157,13 @@ def _element(record: RecordLayout, field: FieldLayout, name: str, names: Names, 
     assert field.record is not None
     if field.record.size is not None:
         return f"read{name}(b, {start})"
-    parts = f"inner{names.records[record.name]}.lists[{record.rooms_before(field)}].parts"
-    size = f"elementBytes({parts}, b.subarray({start}, {plus(start, field.size)}))"
+    size = f"elementBytes({_list_data(record, field, names)}.parts, b.subarray({start}, {plus(start, field.size)}))"
     return f"check{name}(b, {start}, {start} + {size})"
+
+
+def _list_data(record: RecordLayout, field: FieldLayout, names: Names) -> str:
+    """The expression of what programs know of a list."""
+    return f"inner{names.records[record.name]}.lists[{record.rooms_before(field)}]"
 
 
 def _measured_read(record: RecordLayout, reader: str, names: Names) -> list[str]:

@@ -94,6 +94,8 @@ def _property(member: Member, names: Names) -> Iterator[str]:
     kind = " | ".join(f"readonly {kind}[]" for kind in kinds) if field.is_list else " | ".join(kinds)
     facts = [_facts(field.value)] if field.value is not None else []
     facts += [f"Sent if {field.field.presence.condition}."] if field.field.presence is not None else []
+    if (continuation := field.field.continuation) is not None:
+        facts.append(f"After an element, another one follows if {continuation.condition}.")
     facts += [f"Contains {field.field.bit_measure.text}."] if field.field.bit_measure is not None else []
     yield from comment(described(Name.of(field.name).title(), field.field, *facts), 2)
     yield f"  readonly {member.key}: {kind};"

@@ -62,13 +62,16 @@ _SHARED = {
     ),
     "_digits": "digits",
     "_end_framer": "EndFramer",
-    "_error": "CodecError no_boolean unknown_member wrong_bits wrong_const wrong_length wrong_measure wrong_presence",
+    "_error": (
+        "CodecError no_boolean unknown_member wrong_bits wrong_const wrong_end wrong_length wrong_measure"
+        " wrong_presence"
+    ),
     "_escapes": "Add Cobs EscapeFramer EscapedFrames Insert Replace",
     "_filled": "Filled",
     "_flags": "BITS_OF Flags PresetFlags",
     "_framers": "CodeFramer Intervals LengthFramer",
     "_frames": "ExceptionResponse Frames Request RequestOf Response",
-    "_inner_lists": "Decision InnerList InnerLists Packing Parts",
+    "_inner_lists": "Decision InnerList InnerLists More Packing Parts",
     "_mark_framer": "MarkFramer",
     "_parameters": "Parameter ParameterSet ParameterSpace Subindex no_message selected single",
     "_part_frames": "CountFramer PartFrames",

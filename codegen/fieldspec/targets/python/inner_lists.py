@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from fieldspec.codec.layout.continuation import Continuation
 from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
 from fieldspec.codec.layout.packing import Packing
 from fieldspec.codec.layout.presence import PresenceLayout
@@ -31,8 +32,17 @@ def _inner_list_row(inner: InnerList, letters: str = "") -> str:
     packing = f", packing={_packing(inner.packing)}" if inner.packing is not None else ""
     presence = f", presence={_presence(inner.presence)}" if inner.presence is not None else ""
     sent_plus = f", sent_plus={inner.sent_plus}" if inner.sent_plus is not None else ""
-    places, kinds = f"{inner.first}, {inner.room}{count}", f"{parts}{decision}{packing}{presence}{sent_plus}"
-    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{kinds})"
+    continuation = f", more={_more(inner.continuation)}" if inner.continuation is not None else ""
+    places = f"{inner.first}, {inner.room}{count}"
+    options = f"{parts}{decision}{packing}{presence}{sent_plus}{continuation}"
+    return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{options})"
+
+
+def _more(continuation: Continuation) -> str:
+    """`_More(0, 1, "big", 128, (128,))`: what an element says of the next one."""
+    presence = continuation.presence
+    place = f"{continuation.offset}, {continuation.size}, {literal(continuation.order)}"
+    return f"_More({place}, {presence.mask}, {tuple_of(presence.numbers)})"
 
 
 def _presence(presence: PresenceLayout) -> str:

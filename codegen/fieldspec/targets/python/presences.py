@@ -1,10 +1,11 @@
-"""Whether an optional field is given, compared with what the number of another field says."""
+"""Whether an optional field is given, and which element of a list is the last, compared with what numbers say."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.targets.python.record_shape import RecordShape
+from fieldspec.targets.python.naming import RECORD
+from fieldspec.targets.python.record_shape import RecordShape, shape
 from fieldspec.targets.python.slots import Slots
 from fieldspec.targets.python.text import literal
 from fieldspec.targets.python.writing import tuple_of
@@ -46,13 +47,33 @@ def presence_tests(shaped: RecordShape, owner: str, offset: int) -> list[str]:
 
 
 def presence_refusals(shaped: RecordShape) -> list[str]:
-    """The expressions of the refusals of optional fields that are to be written: a CodecError, or None."""
+    """The expressions of the refusals of elements that are to be written: a CodecError, or None."""
     refusals = []
-    for field, decider in presences(shaped):
-        number, elements = f"_index(self.{decider.slot})", f"self.{field.name}"
-        wrong = _wrong(field, decider, number, elements)
-        refusals.append(f"({wrong} if {fitting(field, number, elements, '!=')} else None)")
+    deciders = {field.title: decider for field, decider in presences(shaped)}
+    for field in shaped.fields:
+        elements = f"self.{field.name}"
+        if (decider := deciders.get(field.title)) is not None:
+            number = f"_index(self.{decider.slot})"
+            wrong = _wrong(field, decider, number, elements)
+            refusals.append(f"({wrong} if {fitting(field, number, elements, '!=')} else None)")
+        refusals += filter(None, [wrong_end(field, elements)])
     return refusals
+
+
+def wrong_end(field: Slots, elements: str) -> str:
+    """`_wrong_end("dife", [_index(item) for item in self.dife], 128, (128,))`: the refusal of elements that are wrong
+    about whether another one follows, a CodecError or None; empty for lists that end in another way.
+    """
+    continuation, record = field.field.continuation, field.field.record
+    if continuation is None:
+        return ""
+    item = "item"
+    if record is not None:
+        [decider] = [own for own in shape(record, field.words, RECORD).fields if own.title == continuation.presence.by]
+        item = f"item.{decider.name}"
+    numbers = f"[_index({item}) for item in {elements}]"
+    presence = continuation.presence
+    return f"_wrong_end({literal(field.title)}, {numbers}, {presence.mask}, {tuple_of(presence.numbers)})"
 
 
 def _wrong(field: Slots, decider: Slots, number: str, elements: str, place: str = "") -> str:

@@ -149,6 +149,8 @@ def _type_doc(field: Slots) -> str:
         type_text += f", as `{field.field.field.choice.by}` says"
     if field.field.field.presence is not None:
         type_text += f", if {field.field.field.presence.condition}"
+    if field.field.field.continuation is not None:
+        type_text += f", each followed by another one if {field.field.field.continuation.condition}"
     if field.repeated and field.field.field.repeat is not None:
         return f"{field.field.field.repeat.text()} times {type_text}"
     return f"{field.count} times {type_text}" if field.is_list else type_text

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.targets.python.bit_counts import bit_count_refusal, fills
-from fieldspec.targets.python.presences import fitting, presence_refusals, presences
+from fieldspec.targets.python.presences import fitting, presence_refusals, presences, wrong_end
 from fieldspec.targets.python.reading import CASE, decided_values, local
 from fieldspec.targets.python.record_shape import RecordShape
 from fieldspec.targets.python.slots import Slots
@@ -73,6 +73,8 @@ def writing_lines(
             slot_values += values(field, expressions[field.title]) if field.stored else fixed(field)
     for field, decider in presences(shaped):
         size_tests.append(fitting(field, f"_index({expressions[decider.title]})", expressions[field.title]))
+    ends = [wrong_end(field, expressions[field.title]) for field in shaped.stored]
+    size_tests += [f"{end} is None" for end in ends if end]
     all_tests = [test for field_tests in tests.values() for test in field_tests] + size_tests
     return Writing(bind, all_tests, slot_values, _refusals(shaped, struct, cases))
 

@@ -203,7 +203,7 @@ def _sent_elements(shaped: RecordShape, upper: str) -> list[str]:
     lines = []
     for number, inner in enumerate(shaped.record.inner_lists.lists if shaped.record.inner_lists is not None else ()):
         field = next(field for field in shaped.lists if field.title == inner.name)
-        if inner.parts is not None:
+        if inner.parts is not None and field.field.record is not None and field.field.record.size is None:
             raws = local(field) if field.is_list else f"({local(field)},)"
             lines.append(f"{raws} = {upper}_STRUCT.elements({number}, {raws})")
     return lines

@@ -198,7 +198,7 @@ def _idle_record(device: Device, record: RecordLayout) -> dict[str, Raw]:
         if field.field.measures is None:
             decided = record.decided_by(values).fields[record.fields.index(field)]
             values[field.name] = _idle_field(device, decided, field.least_count(values))
-    return record.with_bit_counts(values)
+    return record.with_list_bits(values)
 
 
 def _idle_field(device: Device, field: FieldLayout, least_count: int = 1) -> Raw:

@@ -247,14 +247,7 @@ class BodyReader:
             if not len(rows):
                 return
         for start, inner, number in slot.places:
-            units = number_at(buffer, place + start + inner.count_at, inner.count_size, inner.count_order)
-            if inner.presence is not None:
-                units = units & inner.presence.mask
-            if inner.presence is not None and inner.presence.numbers:
-                is_there = np.isin(units, inner.presence.numbers)
-            else:
-                units = units if inner.presence is None else units >> inner.presence.shift
-                is_there = (units - inner.plus) * inner.unit // inner.element > number
+            is_there = _has_element(buffer, place + start, inner, number)
             rows, place = rows[is_there], place[is_there]
             index = index if index is None else index[is_there]
             if not len(rows):
@@ -343,6 +336,26 @@ class BodyReader:
                     wrong = bits >> presence.shift != items * presence.unit + presence.plus
                 is_known = (items >= 0) & (slot.offset + slot.layout.size <= size) & (other.offset <= size)
                 blame(verdict, (wrong & is_known) | (items == MISCOUNT), WRONG_MEASURE)
+
+
+def _has_element(buffer: Bytes, offsets: Numbers, inner: InnerList, number: int) -> Mask:
+    """Whether the lists of records that begin at some places have an element with a number."""
+    is_there = np.ones(len(offsets), np.bool_)
+    if inner.count:
+        units = number_at(buffer, offsets + inner.count_at, inner.count_size, inner.count_order)
+        units = units if inner.presence is None else units & inner.presence.mask
+        if inner.presence is not None and inner.presence.numbers:
+            is_there = np.isin(units, inner.presence.numbers)
+        else:
+            units = units if inner.presence is None else units >> inner.presence.shift
+            is_there = (units - inner.plus) * inner.unit // inner.element > number
+    continuation = inner.continuation
+    for index in range(number if continuation is not None else 0):
+        assert continuation is not None
+        place = offsets + inner.room + index * inner.element + continuation.offset
+        numbers = number_at(buffer, place, continuation.size, continuation.order)
+        is_there &= np.isin(numbers & continuation.presence.mask, continuation.presence.numbers)
+    return is_there
 
 
 def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:

@@ -15,7 +15,8 @@ class Slot:
     """A value at a fixed offset in a record, by its path there. `field` is the field that it is, or that it is in.
 
     In a record that differs in size, it is an element of some lists: `places` are these, each with the offset of the
-    record that counts it and with the number of the element. For a counted text, `text` are its bytes as a list.
+    record that says how many elements it has and with the number of the element. For a counted text, `text` are its
+    bytes as a list.
     It is only in bodies in which each of some selectors, with the offsets of their records, has one of some `numbers`.
     """
 
@@ -51,7 +52,7 @@ def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLa
             else:
                 field_slots = iter([Slot(path, place, field, outer or field)])
             for slot in field_slots:
-                if inner is not None and inner.count:
+                if inner is not None and (inner.count or inner.continuation is not None):
                     slot = replace(slot, places=((start, inner, index), *slot.places))
                 yield slot
 
@@ -107,7 +108,7 @@ def deepened(record: RecordLayout, image: bytes) -> bytes:
         if field.record is None or field.record.size is not None:
             continue
         parts, room = inner_lists_of(field.record, is_element=True), record.room_of(field)
-        stop = len(image) if room is None else field.offset + (room.size_in(image) or 0)
+        stop = len(image) if room is None else field.offset + (room.room_size_in(image) or 0)
         for place in range(field.offset, min(stop, len(image)), field.size):
             sent_bytes = parts.sent_bytes(image[place : place + field.size])
             element = _element_image(field.record, parts, sent_bytes)

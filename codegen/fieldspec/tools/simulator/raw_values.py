@@ -63,7 +63,7 @@ def initial_values(device: Device, record: RecordLayout) -> dict[str, Any]:
     for field in decided_fields(record, values):
         if field.field.measures is None:
             values[field.name] = initial_value(device, field, values)
-    return record.with_bit_counts(values)
+    return record.with_list_bits(values)
 
 
 def decided_fields(record: RecordLayout, values: MutableMapping[str, Any]) -> Iterator[FieldLayout]:

@@ -241,7 +241,7 @@ class Server:
                 response[field.name] = body[field.name] if field.name in body else self._field(field, values)
             if field.presence is not None and field.presence.numbers and field.name not in body:
                 response[field.name] = raw_values.initial_value(self.engine.layout.device, field, response)
-        response = announced.response.with_bit_counts(response)
+        response = announced.response.with_list_bits(response)
         try:
             return Answer(self._frame(frames, announced.name, response), announced.name)
         except CodecError as error:

@@ -95,15 +95,17 @@ export class ExplainedBody {
   /** The row from a list on whose bytes nobody knows. */
   unknownListRow(fields, list, at) {
     const [{ name }] = fields;
-    const { decision, packing, parts, presence, countName } = list;
+    const { decision, packing, parts, presence, countName, more } = list;
     let { reason } = this.fault;
     let text;
     if (this.hasWrongCount(list)) {
       text = sentence(SENTENCES.WRONG_COUNT, { count: countName, name });
     } else if (decision && reason === "unknown_value") {
       text = this.undecidedText(SENTENCES.UNDECIDED, decision.name, name);
-    } else if (decision && reason === "wrong_length") {
+    } else if ((decision || more) && reason === "wrong_length") {
       text = sentence(SENTENCES.MORE_FOLLOW, { name, count: this.fault.at - (at - this.start) });
+    } else if (parts && !parts.lists.length && reason === "wrong_measure") {
+      text = sentence(SENTENCES.MORE_ELEMENTS, { name, count: list.most / list.element });
     } else if (packing && reason === "wrong_length") {
       text = sentence(SENTENCES.MORE_THAN_BITS, { name, bits: packing.bits });
     } else if (parts) {

@@ -27,6 +27,7 @@ export const SENTENCES = {
  "UNDECIDED": "{selector} {number} does not decide the type of {name}",
  "UNDECIDED_TOO_LONG": "{selector} {number} does not decide the type of {name}, which is {count} bytes too long",
  "MORE_FOLLOW": "{name} has {count} bytes, and more follow",
+ "MORE_ELEMENTS": "{name} has more than {count} elements",
  "MORE_THAN_BITS": "{name} has more bytes than its numbers of {bits} bits",
  "ELEMENTS_WITHOUT_END": "the elements of {name} do not end with their bytes: see {place}",
  "DECIDES_MORE": "{selector} decides that {name} has more bytes than there are",

@@ -10,7 +10,7 @@ from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair
 from fieldspec.language.changes.descriptions import change, difference_text, named
 from fieldspec.language.changes.evidence import hexadecimal, value_text
-from fieldspec.language.changes.message_texts import access_text, presence_text, segments_text, steps_text
+from fieldspec.language.changes.message_texts import SUBJECTS_OF_BITS, access_text, bits_text, segments_text, steps_text
 from fieldspec.language.model.device import Detection, Device, Version, VersionLine
 from fieldspec.language.model.link import ExceptionResponse, Link, Part
 from fieldspec.language.model.record import Field, Measure, Message
@@ -253,9 +253,10 @@ def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
         old = _measure(replace(measure, field=comparison.renamed_to(holder_path, measure.field)))
     if old != new:
         yield _role_text(pair, "measures", "what it measures", old, new)
-    old, new = presence_text(comparison, holder_path, pair.old), presence_text(None, holder_path, pair.new)
-    if old != new:
-        yield _role_text(pair, "present_if", "what says whether it is sent", old, new)
+    for key, subject in SUBJECTS_OF_BITS.items():
+        old, new = bits_text(comparison, holder_path, pair.old, key), bits_text(None, holder_path, pair.new, key)
+        if old != new:
+            yield _role_text(pair, key, subject, old, new)
     selector = comparison.renamed_to(holder_path, pair.old.choice.by) if pair.old.choice else ""
     if pair.old.choice and pair.new.choice and selector != pair.new.choice.by:
         yield _role_text(pair, "choice", "what decides its type", selector, pair.new.choice.by)

@@ -64,7 +64,8 @@ def _field(entry: Entry) -> Field:
         signal=entry.text("signal"),
         count=entry.integer("count") if present is None else None,
         repeat=entry.whole_ranges("repeat") if present is None else _optional(entry),
-        presence=_presence(present) if present is not None else None,
+        presence=_presence(present, "by") if present is not None else None,
+        continuation=_continuation(entry),
         measures=None if is_in_bits else measure,
         bit_measure=measure if is_in_bits else None,
         reserved=entry.flag("reserved"),
@@ -88,16 +89,20 @@ def _measure(entry: Entry) -> Measure:
     return Measure(unit, entry.text(unit), entry.integer("plus") or 0, entry.bit_range("bits"))
 
 
-_NEVER_OPTIONAL = ("choice", "const", "count", "measures", "packed_bits", "parameter", "reserved", "varies")
-"""The keys that a field which is not always sent cannot have."""
+_OF_FIXED_NUMBERS = ("choice", "const", "count", "measures", "packed_bits", "parameter", "reserved", "varies")
+"""The keys that a field which is not always sent, or a list whose elements say which is the last, cannot have."""
+
+
+def _refuse_fixed_number(entry: Entry, stated: str, kind: str) -> None:
+    for key in _OF_FIXED_NUMBERS:
+        if key in entry.own:
+            help = "state both for a record in the field" if key in ("count", "choice") else f"remove `{key}`"
+            entry.refuse("wrong_form", key, f"a {kind} with `{stated}` has no `{key}`", help)
 
 
 def _optional(entry: Entry) -> Ranges:
     """The number of elements of a field that is not always sent: 0 or 1, or up to the greatest number of a list."""
-    for key in _NEVER_OPTIONAL:
-        if key in entry.own:
-            help = "state both for a record in the field" if key in ("count", "choice") else f"remove `{key}`"
-            entry.refuse("wrong_form", key, f"a field with `present_if` has no `{key}`", help)
+    _refuse_fixed_number(entry, "present_if", "field")
     repeat = entry.whole_ranges("repeat")
     if repeat is not None and (repeat.low != 1 or len(repeat.intervals) > 1):
         text = f"a list with `present_if` has at least one element, not {repeat.low}"
@@ -105,11 +110,35 @@ def _optional(entry: Entry) -> Ranges:
     return Ranges(((0, 1 if repeat is None else repeat.high),))
 
 
-def _presence(entry: Entry) -> Presence:
+def _continuation(entry: Entry) -> Presence | None:
+    """The bits of each element that say whether another one follows; None where none say it."""
+    continuation = entry.entry("more_if")
+    if continuation is None:
+        return None
+    _refuse_fixed_number(entry, "more_if", "list")
+    repeat = entry.whole_ranges("repeat")
+    if repeat is None or repeat.low != 1 or repeat.high < 2 or len(repeat.intervals) > 1:
+        is_not = "" if repeat is None else f", not {repeat.text()}"
+        text = f"a list with `more_if` has 1 to a greatest number of elements{is_not}"
+        help = "state `repeat: 1..10`; with `present_if`, it may have no element as well"
+        entry.refuse("wrong_form", "repeat" if repeat is not None else "more_if", text, help)
+    if "in" in continuation.own and not entry.text("record"):
+        text = "the elements have no fields"
+        continuation.refuse("wrong_form", "in", text, "remove `in`: the element itself has the bits")
+    if "in" not in continuation.own and entry.text("record"):
+        text, help = (
+            "the elements are records, and no field of them is named",
+            "name the field with the bits under `in`",
+        )
+        entry.refuse("wrong_form", "more_if", text, help)
+    return _presence(continuation, "in")
+
+
+def _presence(entry: Entry, key: str) -> Presence:
     if "is" in entry.own and "bit" not in entry.own:
         entry.refuse("wrong_form", "is", "`is` has no effect without `bit`", "remove it, or state the `bit`")
     value = entry.integer("is")
-    return Presence(entry.text("by"), entry.integer("bit"), 1 if value is None else value, entry.texts("when"))
+    return Presence(entry.text(key), entry.integer("bit"), 1 if value is None else value, entry.texts("when"))
 
 
 def _choice(entry: Entry, field: Entry) -> Choice:

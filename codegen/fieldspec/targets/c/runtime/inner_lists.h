@@ -9,13 +9,17 @@ typedef size_t (*device_element_size)(const uint8_t *in, size_t left);
 /** The bytes of a field whose type another one decides, as an image says; SIZE_MAX where that decides nothing. */
 typedef size_t (*device_decided_size)(const uint8_t *in);
 
+/** 1 if another element of a list follows one, else 0. */
+typedef size_t (*device_follows)(const uint8_t *in);
+
 /**
  * A list with fields after it, which begins after `first` bytes of other fields, and at `room` in the image of its
  * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
  * element. At `count_at` in the image, in `count_size` bytes, is the number of units of `unit` bytes, plus `plus`; where
  * `mask` is not 0, in these bits. A `count_size` of 0 is that of a list that always has `most` bytes. The data decide the
  * size of the last one.
- * `element_size` is NULL where all elements have the same size, or `decided_size` tells that of the only element. Numbers
+ * `element_size` is NULL where all elements have the same size, or `decided_size` tells that of the only element; with
+ * `follows`, that of the first element, and each element tells whether another one follows, wherever the list is. Numbers
  * of `bits` bits are packed, from the highest bit or where they are `low_first` from the lowest; it is 0 for whole bytes.
  * Where it `counts_sent` bytes, the number at `count_at` is that of elements only in the image: what is sent is the
  * number of their sent bytes, plus `sent_plus`.
@@ -34,6 +38,7 @@ typedef struct device_inner_list {
     uint32_t mask;
     device_element_size element_size;
     device_decided_size decided_size;
+    device_follows follows;
     size_t bits;
     bool is_low_first;
     bool is_signed;
@@ -68,6 +73,20 @@ static inline size_t device_measured_bytes(const device_inner_list *list, const 
 {
     long size = (long)device_list_number(list, fields) - list->sent_plus;
     return size < 0 || (unsigned long)size > list->most ? SIZE_MAX : (size_t)size;
+/** The elements of a list with a first one, in an image with room for at most some of them. */
+static inline size_t device_count_elements(device_follows follows, const uint8_t *image, size_t element, size_t most)
+{
+    size_t count = 1u;
+    while (count < most && follows(image + (count - 1u) * element) != 0u) {
+        count++;
+    }
+    return count;
+}
+
+/** The bytes of the first element of a list whose elements tell whether others follow; 0 if there is none. */
+static inline size_t device_first_element(const device_inner_list *list, const uint8_t *image)
+{
+    return list->decided_size != NULL && list->decided_size(image) == 0u ? 0u : list->element;
 }
 
 /** The bytes of a list, as its count in an image says; SIZE_MAX for a count that cannot be right. */
@@ -75,6 +94,11 @@ static inline size_t device_list_size(const device_inner_list *list, const uint8
 {
     uint32_t bits = device_list_number(list, image);
     size_t number, size;
+    if (list->follows != NULL) {
+        size = device_first_element(list, image);
+        number = list->most / list->element;
+        return size == 0u ? 0u : device_count_elements(list->follows, image + list->room, size, number) * size;
+    }
     if (list->count_size == 0u) {
         return list->most;
     }
@@ -138,8 +162,9 @@ static inline void device_pack_list(const device_inner_list *list, const uint8_t
 }
 
 /**
- * Writes the image of a list whose elements differ in size, unless `image` is NULL: as many of them as have `size` bytes
- * there, or all to the end, where that is SIZE_MAX. `*size` receives the bytes in the image, `*taken` those that were read.
+ * Writes the image of a list whose elements differ in size or tell whether others follow, unless `image` is NULL: as many
+ * of them as have `size` bytes there, or all to the end, where that is SIZE_MAX. `*size` receives the bytes in the image,
+ * `*taken` those that were read.
  */
 static inline device_codec_status device_take_elements(const device_inner_list *list, const uint8_t *in, size_t left,
         uint8_t *image, size_t *size, size_t *taken)
@@ -150,7 +175,7 @@ static inline device_codec_status device_take_elements(const device_inner_list *
         if (to == list->most) {
             return DEVICE_ERR_WRONG_LENGTH;
         }
-        own = list->element_size(in + from, left - from);
+        own = list->element_size == NULL ? list->element : list->element_size(in + from, left - from);
         if (own == 0u || own == SIZE_MAX) {
             return own == 0u ? DEVICE_ERR_WRONG_MEASURE : DEVICE_ERR_UNKNOWN_VALUE;
         }
@@ -159,6 +184,12 @@ static inline device_codec_status device_take_elements(const device_inner_list *
         }
         if (image != NULL) {
             device_copy_bytes(image + to, in + from, own);
+        }
+        if (list->follows != NULL && list->follows(in + from) != 0u) {
+            if (*size == list->most) {
+                return DEVICE_ERR_WRONG_MEASURE;
+            }
+            *size += list->element;
         }
         from += own;
         to += list->element;
@@ -195,12 +226,17 @@ static inline size_t device_sent_size(const device_inner_list *lists, size_t cou
         device_copy_bytes(fields + at, in + from, list->first - at);
         from += list->first - at;
         at = list->first;
-        size = taken = list->decided_size != NULL ? list->decided_size(fields)
-                : list->counts_sent ? device_measured_bytes(list, fields) : device_list_size(list, fields);
+        if (list->follows != NULL) {
+            size = device_first_element(list, fields);
+        } else {
+            size = list->decided_size != NULL ? list->decided_size(fields)
+                    : list->counts_sent ? device_measured_bytes(list, fields) : device_list_size(list, fields);
+        }
+        taken = size;
         if (size == SIZE_MAX) {
             return list->decided_size != NULL ? SIZE_MAX : 0u;
         }
-        if (list->element_size != NULL && (!list->counts_sent || size <= left - from)) {
+        if ((list->element_size != NULL || list->follows != NULL) && (!list->counts_sent || size <= left - from)) {
             device_codec_status status = list->counts_sent
                     ? device_take_measured(list, in + from, size, NULL, &size, &taken)
                     : device_take_elements(list, in + from, left - from, NULL, &size, &taken);
@@ -234,7 +270,9 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
         from += list->first - at;
         at = list->first;
         left = length - from - (fixed - at);
-        if (list->decided_size != NULL) {
+        if (list->follows != NULL) {
+            size = device_first_element(list, image);
+        } else if (list->decided_size != NULL) {
             size = list->decided_size(image);
             if (size == SIZE_MAX) {
                 return DEVICE_ERR_UNKNOWN_VALUE;
@@ -257,12 +295,15 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
                 return DEVICE_ERR_WRONG_MEASURE;
             }
         }
-        if (list->element_size != NULL) {
+        if (list->element_size != NULL || list->follows != NULL) {
             device_codec_status status = list->counts_sent
                     ? device_take_measured(list, in + from, left, image + list->room, &size, &taken)
                     : device_take_elements(list, in + from, left, image + list->room, &size, &taken);
             if (status != DEVICE_OK) {
                 return status;
+            }
+            if (index + 1u == count && taken < left) {
+                return DEVICE_ERR_WRONG_LENGTH;
             }
             if (list->counts_sent) {
                 device_store_list_number(list, image, size / list->element);
@@ -292,7 +333,7 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
             taken = size;
         }
         from += taken;
-        *image_length = list->room + (list->decided_size != NULL ? list->most : size);
+        *image_length = list->room + (list->decided_size != NULL && list->follows == NULL ? list->most : size);
     }
     device_copy_bytes(image + at, in + from, fixed - at);
     return DEVICE_OK;
@@ -306,7 +347,7 @@ static inline size_t device_place_list(const device_inner_list *list, const uint
 {
     const uint8_t *image = fields + list->room;
     size_t from, to = 0;
-    if (list->decided_size != NULL) {
+    if (list->decided_size != NULL && list->follows == NULL) {
         size = list->decided_size(fields);
     }
     if (list->bits != 0u) {

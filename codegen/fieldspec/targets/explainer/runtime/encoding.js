@@ -1,7 +1,7 @@
 import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
 import { exceedsReal, onBits, realBits } from "../number_bits.js";
-import { fits, sentOfImage } from "../lists.js";
+import { fits, follows, sentOfImage } from "../lists.js";
 import { narrowedImage } from "../widths.js";
 import { bytesOfNumber, inPlaces, isArray } from "./interpreter.js";
 import { isWhole } from "./numbers.js";
@@ -93,12 +93,14 @@ export function encodeRecord(device, record, values) {
   const form = formOfValues(record, values);
   if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
   const known = new Map();
+  const sent = new Map();
   const fields = form.fields.map((field) => decidedField(form, field, values));
   for (const field of fields) if (!field.measures) known.set(field.name, elementsOf(field, values));
   const bytes = joinedBytes(fields.map((field) => {
     if (!field.measures) {
       const list = form.inner?.lists.find(({ name }) => name === field.name);
       const elements = known.get(field.name).map((item) => bytesOfElement(device, field, item));
+      sent.set(field.name, elements);
       const own = joinedBytes(list?.parts || list?.decision ? elements.map((bytes) => padded(bytes, list.element)) : elements);
       return list && list !== form.inner.lists.at(-1) ? padded(own, list.most) : own;
     }
@@ -108,10 +110,14 @@ export function encodeRecord(device, record, values) {
     const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
   }));
-  for (const { name, presence } of fields.filter((field) => field.presence)) {
-    const [number] = known.get(presence.by);
-    if (fits(presence, number, known.get(name).length)) continue;
-    throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
+  for (const { name, presence } of fields) {
+    const [number] = presence ? known.get(presence.by) : [];
+    if (presence && !fits(presence, number, known.get(name).length)) {
+      throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
+    }
+    const more = form.inner?.lists.find((list) => list.name === name)?.more;
+    const wrong = more ? sent.get(name).findIndex((bytes, index, { length }) => follows(more, bytes) !== index < length - 1) : -1;
+    if (wrong >= 0) throw new CodecError("wrong_measure", `element ${wrong} of ${name} is wrong about whether another one follows`);
   }
   if (form.inner) {
     const last = form.fields.at(-1);

@@ -18,15 +18,15 @@ export const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.c
 
 /** The bytes in the image of a list that does not end with the data, as its count in some bytes says. */
 function countedBytes(list, bytes) {
-  const { length, unit, plus = 0, most, element, presence } = list;
-  if (!length) return most;
+  const { length, unit, plus = 0, most, element, presence, more } = list;
+  if (!length) return more ? element : most;
   let number = listNumber(list, bytes);
   if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
   if (presence) number = decidingBits(presence, number);
   return (number - plus) * unit;
 }
 
-/** The number in some bytes that counts a list. */
+/** The number of up to four bytes at a place. */
 function listNumber({ at, length, little }, bytes) {
   let number = 0;
   for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
@@ -43,6 +43,16 @@ function measuredBytes(list, bytes) {
 function setListNumber({ name, at, length, little }, bytes, number) {
   if (number < 0 || number >= 256 ** length) throw new CodecError("out_of_range", `${name} has more bytes than a field can count`);
   for (let place = 0; place < length; place++) bytes[at + (little ? place : length - 1 - place)] = number / 256 ** place & 255;
+}
+
+/** Whether another element follows one with some bytes. */
+export const follows = (more, bytes) => more.numbers.includes(decidingBits(more, listNumber(more, bytes)));
+
+/** How many elements a list with a first one has, each of which says whether another one follows, in an image. */
+export function elementsInImage({ element, most, more }, image, start) {
+  let count = 1;
+  while (count * element < most && follows(more, image.subarray(start + (count - 1) * element, start + count * element))) count++;
+  return count;
 }
 
 /** The bytes of an element that another field decides; undefined where that decides nothing. */
@@ -142,6 +152,7 @@ export function elementBytes(parts, bytes) {
 
 /** The bytes of each element of a list whose elements differ in size, or why they are not known. */
 function elementsIn(list, data, size, start) {
+  const { more } = list;
   const elements = [];
   let at = 0;
   while (size === null ? at < data.length : elements.length * list.element < size) {
@@ -150,6 +161,10 @@ function elementsIn(list, data, size, start) {
     if (own.fault) return { fault: { reason: own.fault.reason, at: start + at + own.fault.at } };
     if (at + own.size > data.length) return { fault: { reason: "incomplete", at: start + data.length } };
     elements.push(own.size);
+    if (more && follows(more, data.subarray(at, at + own.size))) {
+      if (size === list.most) return { fault: { reason: "wrong_measure", at: start + at + more.at } };
+      size += list.element;
+    }
     at += own.size;
   }
   if (elements.length * list.element < list.least) return { fault: { reason: "incomplete", at: start + at } };
@@ -171,7 +186,8 @@ function measuredIn(inner, list, data, start, extents) {
  * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ, a
  * `decision` that of the only element. With a `packing`, numbers have fewer bits than in the image. With a `presence`,
  * bits of the number say whether the only element is sent, or have the count. With a `sentPlus`, the number is that of
- * the sent bytes, plus `sentPlus`, and only in the image that of units.
+ * the sent bytes, plus `sentPlus`, and only in the image that of units. With `more`, bits of each element say whether
+ * another one follows, and the number is that of the first one.
  */
 export function extentsIn({ fixed, lists }, data) {
   const extents = [];
@@ -183,7 +199,7 @@ export function extentsIn({ fixed, lists }, data) {
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
-    let counted = isLast && !list.decision ? null : sizeIn(list, image);
+    let counted = isLast && !list.decision && !list.more ? null : sizeIn(list, image);
     if (list.sentPlus !== undefined) {
       const sent = measuredBytes(list, image);
       counted = isLast && sent !== left ? undefined : sent;
@@ -202,7 +218,9 @@ export function extentsIn({ fixed, lists }, data) {
       if (isLast && extent.numbers * list.element < list.least) return { extents, fault: { reason: "incomplete", at: at + left } };
       if (isLast && taken < left) return { extents, fault: { reason: "wrong_length", at: at + taken } };
     }
-    if (isLast && list.decision && counted < left) return { extents, fault: { reason: "wrong_length", at: at + counted } };
+    if (isLast && (list.decision || list.more) && extent.size < left) {
+      return { extents, fault: { reason: "wrong_length", at: at + extent.size } };
+    }
     extents.push(extent);
     before += extent.size;
   }
@@ -275,7 +293,8 @@ export function sentOfImage({ fixed, lists }, image, last) {
   const fields = image.slice(0, fixed);
   const lengths = lists.map((list) => {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
-    return decided ?? (list === lists.at(-1) ? last : countedBytes(list, image));
+    if (decided !== undefined || list === lists.at(-1)) return decided ?? last;
+    return countedBytes(list, image) * (list.more ? elementsInImage(list, image, list.room) : 1);
   });
   const pieces = lists.map((list, index) => sentOfList(list, image.subarray(list.room, list.room + lengths[index])));
   for (const [index, list] of lists.entries()) {
