@@ -47,7 +47,8 @@ def flat(spec: Spec, version: str = "") -> Spec:
                 own["flags"] = [*own.get("flags", ()), word]
                 row["flags"] = row["name"]
         copies = group.pop("copies", ())
-        groups += [group, *(_copy(group, each) for each in copies)]
+        first = next(stated["rows"][0]["at"] for stated in spec["registers"] if stated["group"] == group["group"])
+        groups += [group, *(_copy(group, first, each) for each in copies)]
     return {**own, "registers": groups} if groups else own
 
 
@@ -82,11 +83,11 @@ def _derived(spec: Spec, derived: Spec) -> Iterator[Spec]:
             yield {key: member[key] for key in _OF_DERIVED if key in member} | {"value": member["number"]}
 
 
-def _copy(group: Spec, stated: Spec) -> Spec:
-    """The group that repeats another one at another address."""
+def _copy(group: Spec, first: int, stated: Spec) -> Spec:
+    """The group that repeats another one at another address, which is that of the `first` row of all versions."""
     rows, sources = [], {row["of"]: row["source"] for row in stated.get("rows", ())}
     for row in group["rows"]:
-        own = {"at": row["at"] - group["rows"][0]["at"] + stated["base"], "name": f"{stated['prefix']}_{row['name']}"}
+        own = {"at": row["at"] - first + stated["base"], "name": f"{stated['prefix']}_{row['name']}"}
         own |= {key: value for key, value in row.items() if key not in _OF_COPIES}
         own |= {key: inner for key in ("access", "trigger") if (inner := stated.get(key, row.get(key))) is not None}
         own |= {"checked": {"words": row["checked"]["words"]}} if "words" in row.get("checked", {}) else {}
