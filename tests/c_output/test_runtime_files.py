@@ -73,16 +73,16 @@ PROGRAMS = {
     "inner_lists.h": (
         ["machine.h", "status.h"],
         "const device_inner_list lists[2] ="
-        " {{2u, 4u, 2u, 0u, 4u, 1u, 1u, 2u, 0L, false, 0u, NULL, NULL, 0u, false, false},"
-        " {3u, 8u, 1u, 0u, 3u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, 0u, false, false}};"
+        " {{2u, 4u, 2u, 0u, 4u, 1u, 1u, 2u, 0L, false, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L},"
+        " {3u, 8u, 1u, 0u, 3u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L}};"
         " uint8_t image[11], out[8]; size_t length = 0;"
         ' const uint8_t *data = (const uint8_t *)"a\\1LIyTSz", *longer = (const uint8_t *)"a\\3yz";'
         " const device_inner_list tags ="
-        " {1u, 1u, 4u, 0u, 8u, 0u, 0u, 1u, 0L, false, 0u, tag_size, NULL, 0u, false, false};"
+        " {1u, 1u, 4u, 0u, 8u, 0u, 0u, 1u, 0L, false, 0u, tag_size, NULL, NULL, 0u, false, false, false, 0L};"
         " const device_inner_list bits_count ="
-        " {2u, 2u, 1u, 0u, 8u, 0u, 2u, 1u, 0L, true, 240u, NULL, NULL, 0u, false, false};"
+        " {2u, 2u, 1u, 0u, 8u, 0u, 2u, 1u, 0L, true, 240u, NULL, NULL, NULL, 0u, false, false, false, 0L};"
         " const device_inner_list packed ="
-        " {0u, 0u, 2u, 2u, 4u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, 12u, false, true};"
+        " {0u, 0u, 2u, 2u, 4u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, NULL, 12u, false, true, false, 0L};"
         ' const uint8_t *bits = (const uint8_t *)"\\xFA\\xB2\\xCD";'
         ' const uint8_t *sent = (const uint8_t *)"x\\2AB\\1C";'
         " if (device_take_lists(lists, 2, 4, data, 8, image, &length) != DEVICE_OK || length != 10) return 1;"
@@ -162,7 +162,7 @@ BEHIND = {
 static size_t tag_size(const uint8_t *in, size_t left)
 {
     static const device_inner_list value =
-        {1u, 1u, 1u, 0u, 3u, 0u, 1u, 1u, 0L, false, 0u, NULL, NULL, 0u, false, false};
+        {1u, 1u, 1u, 0u, 3u, 0u, 1u, 1u, 0L, false, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L};
     uint8_t fields[1];
     return device_sent_size(&value, 1, 1, fields, in, left);
 }

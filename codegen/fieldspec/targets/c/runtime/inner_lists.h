@@ -73,6 +73,8 @@ static inline size_t device_measured_bytes(const device_inner_list *list, const 
 {
     long size = (long)device_list_number(list, fields) - list->sent_plus;
     return size < 0 || (unsigned long)size > list->most ? SIZE_MAX : (size_t)size;
+}
+
 /** The elements of a list with a first one, in an image with room for at most some of them. */
 static inline size_t device_count_elements(device_follows follows, const uint8_t *image, size_t element, size_t most)
 {
