@@ -57,7 +57,8 @@ class Parameters:
 
 
 def request_parameters(draft: Draft, link: LinkLayout, message: MessageLayout) -> Parameters:
-    """Declares the inputs of the function that builds a request."""
+    """Declares the inputs of the function that builds a request, whose frame and its length are declared later."""
+    draft.keep(FRAME, LENGTH)
     head = _head(draft, link.request, "input")
     return Parameters(head, _fields(draft, message, message.request, "input"))
 

@@ -298,10 +298,21 @@ class Variables:
         self.declared: list[Declared] = []
         self._names = {name.lower() for name in reserved}
         self._parameters: set[str] = set()
+        self._kept: set[str] = set()
         self._shared: dict[tuple[str, Type, str], Variable] = {}
+
+    def keep(self, *names: str) -> None:
+        """Keeps the names of parameters that are declared later, so that no earlier parameter takes them."""
+        self._kept.update(names)
+        self._names.update(name.lower() for name in names)
+        self._parameters.update(bare(name).lower() for name in names)
 
     def declare(self, name: str, kind: Type, role: str, remark: str = "", initial: str = "") -> Variable:
         """A new variable; where its name is taken, a number follows it."""
+        if name in self._kept:
+            self._kept.remove(name)
+            self._names.remove(name.lower())
+            self._parameters.remove(bare(name).lower())
         number, tried = 1, name
         while tried.lower() in self._names or (role != "local" and bare(tried).lower() in self._parameters):
             number += 1
