@@ -281,7 +281,7 @@ FIELDS
     if (size > 8u) {
         return DEVICE_ERR_WRONG_LENGTH;
     }
-    if (capacity - *length < 8u - SIZE) {
+    if (capacity < content + 8u) {
         return DEVICE_ERR_CAPACITY;
     }
     device_move_up(data + SIZE, content, 8u - SIZE);
