@@ -151,6 +151,11 @@ def fields(tree: Mapping) -> list[tuple[Way, Mapping]]:
     return [(way, node) for way, node in places if way[-2] in VALUED and "type" in node.values and len(way) < 6]
 
 
+def fields_always_sent(tree: Mapping) -> list[tuple[Way, Mapping]]:
+    """The fields that no other field leaves out, and that may have a count."""
+    return [(way, node) for way, node in fields(tree) if "present_if" not in node.values]
+
+
 def inserted(tree: Mapping, chance: random.Random) -> Mapping | None:
     """A field is inserted before another one."""
     one = picked(fields(tree), chance)
@@ -327,7 +332,7 @@ MUTATIONS: tuple[tuple[str, Mutation], ...] = (
     ("stride_changed", setting(top("tables", "stride"), "stride", more("stride"))),
     ("index_changed", setting(top("tables", "base"), "index_from", lambda node, chance: chance.randint(5, 9))),
     ("count_changed", setting(top("tables", "count"), "count", lambda node, _: number(node, "count") - 1)),
-    ("count_changed", setting(fields, "count", lambda node, chance: chance.randint(20, 90))),
+    ("count_changed", setting(fields_always_sent, "count", lambda node, chance: chance.randint(20, 90))),
     (
         "sentinel_changed",
         setting(
