@@ -319,7 +319,7 @@ class Body:
             return read
         elif span is not None and span.value is not None:
             low, high = span.plus, span.value.width + span.plus
-        elif inner is not None and (other.count is None or field.counts_sent):
+        elif inner is not None and other.varies:
             number = next(number for number, inner_list in enumerate(inner.lists) if inner_list.name == other.name)
             if number >= len(self.extents):
                 return self._wrong_count(inner.lists[number], field, read)

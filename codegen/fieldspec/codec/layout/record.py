@@ -325,8 +325,8 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
         inner = InnerList(field.name, first, room, element, low * element, high * element, packing=field.packing)
         inner = replace(inner, continuation=field.continuation)
         count = (text_count if is_text else list_count)(record.record, field.field)
-        is_counted_sent = count is not None and by_name[count.name].counts_sent
-        if is_element or field is not last or field.continuation is not None or is_counted_sent:
+        counts_sent = count is not None and by_name[count.name].counts_sent
+        if is_element or field is not last or field.continuation is not None or counts_sent:
             if field.presence is not None:
                 decider = by_name[field.presence.by]
                 inner = replace(_with_number_at(inner, decider, places[decider.name]), presence=field.presence)

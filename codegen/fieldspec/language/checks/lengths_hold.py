@@ -2,7 +2,7 @@
 
 Why: a frame that is longer than its length field can express cannot exist. The printed number of elements is
 too high, or the type is too narrow. A field that counts the bytes of records of varying size only needs room for the
-shortest ones: encoders refuse longer data.
+shortest ones, and for one element: encoders refuse longer data.
 
 Example: up to 16 points of 16 bytes in a packet whose length is one byte.
 
@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.source import Span
 from fieldspec.language.checks.facts import layers
 from fieldspec.language.checks.finding import finding, interval, label
@@ -71,7 +71,8 @@ def _of_field(field: Field, measure: Measure, measured: Field, sizes: RecordSize
         return
     minimum, maximum = (size + measure.plus for size in bounds)
     if measure.of == "bytes" and measured.record and sizes.element(measured) is None:
-        maximum = minimum
+        single = sizes.field(replace(measured, repeat=None, count=None))
+        maximum = max(minimum, single[0] + measure.plus) if single is not None else minimum
     unit = "bytes" if measure.of == "bytes" else "elements"
     related_label = label(measured.place, "repeat" if "repeat" in measured.place else "name", "what it measures")
     plus = f" plus {measure.plus}" if measure.plus else ""

@@ -44,6 +44,8 @@ def _of_number(field: Field, value: Value) -> Iterator[Diagnostic]:
     """The findings of a field that measures another one and is not a number that encoders compute."""
     assert field.measures is not None
     statement = f"{field.name} counts {field.measures.of} of {field.measures.field}"
+    if field.measures.field == field.name:
+        yield finding(_CODE, field.place, "measures", f"{field.name} measures itself", "name another field")
     if not is_count(value.encoding):
         yield finding(_CODE, field.place, "type", f"{statement}, and is {value.type.name}", "use a whole number")
     for key in _KEYS:

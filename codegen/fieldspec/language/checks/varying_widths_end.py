@@ -42,6 +42,7 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
     counting = [record for name, record in device.records.items() if sizes.tells_size(name) and name not in refusing]
     parts = {id(field) for record in counting for field in record.fields}
+    mixed = dict(pair for record in device.records.values() for pair in _beside_texts(sizes, record))
     for fact, value in values(device):
         if not value.width:
             continue
@@ -49,6 +50,12 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
         for key in unused:
             yield finding(_CODE, fact.place, key, f"`{key}` has no effect in a text that varies", f"remove `{key}`")
         if unused:
+            continue
+        other = mixed.get(id(fact))
+        if other is not None:
+            text = f"{fact.name} varies in width, and {other.name} in the same record has no fixed size"
+            help = f"state {fact.name} and its number of bytes in a record of its own, and here a field of that record"
+            yield finding(_CODE, fact.place, "varies", text, help, label(other.place, "name", "has no fixed size"))
             continue
         is_in_place = id(fact) in messages or id(fact) in parts
         problem = _form(value) or _place(fact, is_in_place)
@@ -59,6 +66,14 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
             yield from _of_message(sizes, message, body)
     for record in counting:
         yield from _of_record(record)
+
+
+def _beside_texts(sizes: RecordSizes, record: Record) -> Iterator[tuple[int, Field]]:
+    """The counted texts of a record, by identity, each with the first other field that has no fixed size."""
+    texts = [field for field in record.fields if text_count(record, field) is not None]
+    other = next((field for field in record.fields if field not in texts and not sizes.is_fixed(field)), None)
+    if other is not None:
+        yield from ((id(text), other) for text in texts)
 
 
 def _bodies(message: Message) -> tuple[Record, Record]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.reading.findings import near, quoted
@@ -378,7 +380,10 @@ def _is_same_node(was: Node, now: Node) -> bool:
     return exact(was) == exact(now)
 
 
-def _node_text(node: Node | None) -> str:
+def _node_text(node: Node) -> str:
+    """A value as it can be written in one line."""
     if isinstance(node, Scalar):
-        return node.text
-    return "a list" if isinstance(node, Sequence) else "a mapping"
+        return json.dumps(node.text, ensure_ascii=False) if node.quoted else node.text
+    if isinstance(node, Sequence):
+        return f"[{', '.join(map(_node_text, node.items))}]"
+    return f"{{{', '.join(f'{key}: {_node_text(value)}' for key, value in node.values.items())}}}"

@@ -19,7 +19,6 @@ from fieldspec.targets.c.absent import absent_values, declare_absent, declare_ou
 from fieldspec.targets.c.checksums import checksum_parts, declare_checksums
 from fieldspec.targets.c.conversions import declare_conversion
 from fieldspec.targets.c.declarations import (
-    BLANK,
     Declaration,
     Define,
     Directive,
@@ -332,7 +331,7 @@ def _records(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
     for record in layout.records.values():
         declarations = declare_record(naming, layout.device, record, describe_fact(record.record))
         tells_size = record.name in elements and record.size is None
-        yield [*declarations, BLANK, sent_size(naming, record)] if tells_size else declarations
+        yield [*declarations, *sent_size(naming, record)] if tells_size else declarations
 
 
 def _code_texts(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:

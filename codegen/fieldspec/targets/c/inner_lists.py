@@ -9,7 +9,7 @@ from fieldspec.targets.c.expressions import INPUT_BYTES, SIZE_TYPE, Identifier
 from fieldspec.targets.c.fields import decoded_selector, select, words_around_images
 from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
-from fieldspec.targets.c.presences import follows
+from fieldspec.targets.c.presences import follows, present_sizes
 from fieldspec.targets.c.statements import Return, Variable
 
 _ENCODE = """static inline {status} {encode}({argument}uint8_t *out, size_t capacity, size_t *length)
@@ -47,8 +47,11 @@ static inline size_t {sent_size}(const uint8_t *in, size_t left)
 """
 
 
-def sent_size(naming: Naming, record: RecordLayout) -> Source:
-    """`size_t tag_sent_size(const uint8_t *in, size_t left)`: what tells the size of a record that differs in size."""
+def sent_size(naming: Naming, record: RecordLayout) -> list[Declaration]:
+    """`size_t tag_sent_size(const uint8_t *in, size_t left)`: what tells the size of a record that differs in size.
+
+    Where the record has no image, whose functions declare the sizes of optional fields, these come before it.
+    """
     inner = inner_lists_of(record, is_element=True)
     names = {
         "struct": naming.type("record", record.name),
@@ -56,7 +59,8 @@ def sent_size(naming: Naming, record: RecordLayout) -> Source:
         "measure": naming.own("sent_size"),
         "room": str(max(inner.fixed, 1)),
     }
-    return Source(_SENT_SIZE.format(**names, **_table(naming, record, inner)))
+    sizes = present_sizes(naming, record) if record.image is record else []
+    return [*sizes, BLANK, Source(_SENT_SIZE.format(**names, **_table(naming, record, inner)))]
 
 
 def encode_inner_lists(naming: Naming, record: RecordLayout, inner: InnerLists) -> Source:

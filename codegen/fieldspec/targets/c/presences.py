@@ -102,6 +102,8 @@ def counts_in_image(naming: Naming, record: RecordLayout) -> Body:
     for room in record.rooms:
         field, count = record.named(room.name), record.named(room.count)
         assert field is not None
+        if field.count is not None:
+            continue
         items = unsigned(1) if room.continuation is None else _elements_in_image(naming, record, field, room)
         if count is None and room.continuation is None:
             continue

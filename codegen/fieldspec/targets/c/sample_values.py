@@ -299,6 +299,14 @@ def field_sample(device: Device, field: FieldLayout, pick: ValuePicker) -> Any:
 # Bytes
 
 
+def sample_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
+    """The same as `record_bytes`; none if a field cannot count the bytes of the elements that it measures."""
+    try:
+        return record_bytes(record, values)
+    except OverflowError:
+        return b""
+
+
 def record_bytes(record: RecordLayout, values: dict[str, Any]) -> bytes:
     """The bytes of a record on the wire for some values of its fields."""
     record = record.decided_by(values)

@@ -47,8 +47,8 @@ from fieldspec.targets.c.sample_values import (
     fitting,
     high_value,
     lone_values,
-    record_bytes,
     record_value,
+    sample_bytes,
 )
 from fieldspec.targets.c.selftest_examples import test_example
 from fieldspec.targets.c.selftest_quantities import test_absent, test_out_of_range, test_quantities
@@ -147,7 +147,7 @@ def _test_records(layout: DeviceLayout, naming: Naming) -> Iterator[list[Stateme
                         if values[own.name] != low_values[own.name] or place == number:
                             settings[place] = set_member(naming, form, own, values[own.name], _IN)
                 description = ".".join([record.name, *([form.case] if form.case else []), field.name])
-                if record_bytes(form.record, values):  # C has no array of no bytes to compare
+                if sample_bytes(form.record, values):  # C has no array of no bytes to compare
                     yield _test_member(naming, form, values, [*chain.from_iterable(settings)], description)
         if record.selector in members(record):
             yield from _test_unknown_selector(naming, record)
@@ -169,7 +169,7 @@ def _test_member(
     short = _record_call(naming, record, "encode", _IN_POINTER, _BYTES, _CUT_SIZE, _LENGTH_POINTER)
     size = Identifier(naming.macro("record", record.name, "size"))
     return [
-        Variable(BYTE, "wanted", (None,), byte_initializer(record_bytes(form.record, values)), "static const"),
+        Variable(BYTE, "wanted", (None,), byte_initializer(sample_bytes(form.record, values)), "static const"),
         Variable(BYTE, "bytes", (size,)),
         Variables(Type(naming.type("record", record.name)), ("in", "out")),
         _LENGTH_VARIABLE,

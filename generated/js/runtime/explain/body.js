@@ -227,6 +227,7 @@ export class ExplainedBody {
     if (!other || other.cases) return read;
     const { inner, spans } = this.record;
     const text = spans?.find((span) => span.name === name && span.count !== undefined);
+    const list = inner?.lists.findIndex((own) => own.name === name) ?? -1;
     const room = this.end - this.start - other.offset;
     const numberOf = (items) => (of === "bytes" ? items * other.size : items) + plus;
     let [low, high] = [0, 0];
@@ -235,10 +236,9 @@ export class ExplainedBody {
       low = Math.max(0, high - 7);
     } else if (text) {
       [low, high] = [plus, text.most + plus];
-    } else if (inner && (other.repeat || countsSent(inner, field, name))) {
-      const number = inner.lists.findIndex((list) => list.name === name);
-      if (number >= this.extents.length) return this.wrongCount(inner.lists[number], field, read);
-      low = high = countsSent(inner, field, name) ? this.extents[number].size + plus : numberOf(this.itemsOf(other));
+    } else if (list >= 0) {
+      if (list >= this.extents.length) return this.wrongCount(inner.lists[list], field, read);
+      low = high = countsSent(inner.lists[list], field) ? this.extents[list].size + plus : numberOf(this.itemsOf(other));
     } else {
       const most = spans ? this.countOf(other) : this.itemsAtEnd(other);
       low = high = numberOf(other.isList ? most : 1);
@@ -286,8 +286,7 @@ export class ExplainedBody {
   }
 }
 
-/** Whether a field counts the sent bytes of a list with a name. */
-function countsSent({ lists }, field, name) {
-  const list = lists.find((own) => own.name === name);
-  return list?.sentPlus !== undefined && list.countName === field.name;
+/** Whether a field counts the sent bytes of a list. */
+function countsSent({ sentPlus, countName }, field) {
+  return sentPlus !== undefined && countName === field.name;
 }
