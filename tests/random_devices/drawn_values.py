@@ -29,7 +29,7 @@ UNITS = ("mm", "rpm", "%", "ms", "V", "pulse", "°C")
 
 def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
     """The keys of a random value at a place."""
-    if place in ("field", "register", "signal") and not types and draft.digits(7):
+    if place in ("field", "register", "signal", "case") and not types and draft.digits(7):
         return _digits(draft, place)
     kind = draft.pick(types or _types(draft, place))
     keys: Spec = {"type": kind}

@@ -103,7 +103,7 @@ def counts_in_image(naming: Naming, record: RecordLayout) -> Body:
         field, count = record.named(room.name), record.named(room.count)
         assert field is not None
         items = unsigned(1) if room.continuation is None else _elements_in_image(naming, record, field, room)
-        if count is None and room.continuation is None:
+        if field.count is not None or (count is None and room.continuation is None):
             continue
         if count is not None:
             items = _items_of_count(room, decoded_selector(naming, count), items)
