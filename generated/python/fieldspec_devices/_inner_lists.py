@@ -16,20 +16,26 @@ if TYPE_CHECKING:
 
 
 class Decision:
-    """The number that decides how many bytes an element has: the field `name`, `length` bytes at `at` in the image."""
+    """The number that decides how many bytes an element has: the field `name`, `length` bytes at `at` in the image.
 
-    __slots__ = ("at", "length", "name", "order", "sizes")
+    Only its bits in the `mask` decide.
+    """
 
-    def __init__(self, name: str, at: int, length: int, order: Literal["big", "little"], sizes: dict[int, int]) -> None:
-        self.name, self.at, self.length, self.sizes = name, at, length, sizes
+    __slots__ = ("at", "length", "mask", "name", "order", "sizes")
+
+    def __init__(
+        self, name: str, at: int, length: int, order: Literal["big", "little"], sizes: dict[int, int], mask: int = -1
+    ) -> None:
+        self.name, self.at, self.length, self.sizes, self.mask = name, at, length, sizes, mask
         self.order: Literal["big", "little"] = order
 
     def size(self, fields: bytes, at: int) -> int:
         """The bytes of the element, refused with the place of a number that decides nothing."""
         number = int.from_bytes(fields[self.at : self.at + self.length], self.order)
-        if number not in self.sizes:
+        size = self.sizes.get(number & self.mask)
+        if size is None:
             raise CodecError("unknown_value", f"{self.name} is {number}, which chooses nothing that may follow", at)
-        return self.sizes[number]
+        return size
 
 
 class Packing:
