@@ -64,7 +64,7 @@ def record_values(layout: DeviceLayout, record: RecordLayout, dice: random.Rando
         if decided and not is_computed(field) and dice.random() < 0.9:
             own = dice.choice(decided)
             number = _field(layout, field, dice) if own.deciding_bits is not None else 0
-            values[field.name] = _with_case(own, number, dice)
+            values[field.name] = own.with_case(number, dice.choice(list(own.forms)))
         elif field.cases:
             values[field.name] = _field(layout, record.decided_by(values).named(field.name), dice)
         elif not is_computed(field):
@@ -77,11 +77,6 @@ def record_values(layout: DeviceLayout, record: RecordLayout, dice: random.Rando
             values[field.name] = max(0, 8 * len(values[field.bits_of]) - dice.choice((0, 0, 1, 3, 7)))
     has_list_bits = any(field.has_count_in_bits or field.continuation is not None for field in record.fields)
     return record.with_list_bits(values) if has_list_bits and dice.random() < 0.95 else values
-
-
-def _with_case(field: FieldLayout, number: int, dice: random.Random) -> int:
-    """A number of the selector of a field that decides a type, with the other bits of a number."""
-    return dice.choice(list(field.forms)) | (0 if field.deciding_bits is None else number & ~field.deciding_bits)
 
 
 def _element(layout: DeviceLayout, field: FieldLayout, dice: random.Random) -> Any:
@@ -211,7 +206,7 @@ def record_bytes(record: RecordLayout, dice: random.Random) -> bytes:
             own = field.selector
             order: Literal["big", "little"] = "big" if own.order == "big" else "little"
             number = int.from_bytes(data[own.offset : own.offset + own.size], order)
-            put(data, own.offset, own.size, own.order, _with_case(field, number, dice))
+            put(data, own.offset, own.size, own.order, field.with_case(number, dice.choice(list(field.forms))))
         elif field.value is not None and field.value.const is not None and dice.random() < 0.8 and not field.is_list:
             put(data, field.offset, field.size, field.order, field.value.const)
     return bytes(data)

@@ -156,7 +156,11 @@ class FieldLayout:
         number: int = values[self.selector.name]
         if self.form_of(number) is not None:
             return number
-        return min(self.forms) | (0 if self.deciding_bits is None else number & ~self.deciding_bits)
+        return self.with_case(number, min(self.forms))
+
+    def with_case(self, number: int, case_number: int) -> int:
+        """A number of its selector with the bits that decide it from another number, which decides a case."""
+        return case_number | (0 if self.deciding_bits is None else number & ~self.deciding_bits)
 
     @property
     def bounds(self) -> tuple[int, int]:

@@ -159,8 +159,7 @@ def selecting_numbers(device: Device, record: RecordLayout, selector: FieldLayou
     word = device.flags.get(value.flags)
     numbers = {value.const if value.const is not None else word.nearest(word.initial) if word is not None else 0}
     for field in deciding:
-        kept_bits = 0 if field.deciding_bits is None else ~field.deciding_bits
-        numbers = {number & kept_bits | own for number in numbers for own in field.forms}
+        numbers = {field.with_case(number, own) for number in numbers for own in field.forms}
     enum = device.enums.get(value.enum)
     barred = {member.value for member in enum.members if member.unavailable} if enum and not enum.open else set()
     ranges = value.writable_ranges
