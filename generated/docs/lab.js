@@ -721,12 +721,12 @@ function elementsInImage({ element, most, more }, image, start) {
   return count;
 }
 
-function decidedBytes({ at, length, little, sizes }, bytes) {
+function decidedBytes({ at, length, little, mask, sizes }, bytes) {
   let number = 0n;
   for (let place = 0; place < length; place++) {
     number = (number << 8n) | BigInt(bytes[at + (little ? length - 1 - place : place)]);
   }
-  return sizes[String(number)];
+  return sizes[String(mask === undefined ? number : number & BigInt(mask))];
 }
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
@@ -1634,7 +1634,11 @@ function memberOf(listing, number) {
 function formOfField(record, field, values) {
   if (!field.forms) return field;
   const number = values.get(field.by) ?? record.named.get(field.by).value.const;
-  return number === undefined ? undefined : field.forms.get(BigInt(number));
+  return number === undefined ? undefined : formOfNumber(field, number);
+}
+
+function formOfNumber({ forms, mask }, number) {
+  return forms.get(mask === undefined ? BigInt(number) : BigInt(number) & BigInt(mask));
 }
 
 function formOfData(record, data) {
@@ -4567,7 +4571,7 @@ class MessageForm {
   }
 
   takeValues(fields, values, prefix) {
-    for (const field of fields.map((own) => own.forms?.get(BigInt(values.get(own.by) ?? -1)) ?? own)) {
+    for (const field of fields.map((own) => (own.forms && values.has(own.by) && formOfNumber(own, values.get(own.by))) || own)) {
       const raw = values.get(field.name);
       const path = prefix + field.name;
       if (raw === undefined || (!field.value && !field.record)) continue;
@@ -4630,7 +4634,7 @@ class MessageForm {
     const by = fields.find(({ name }) => name === field.by);
     this.deciding.add(prefix + by.name);
     try {
-      return field.forms.get(BigInt(by.value.const ?? this.rawValue({ path: prefix + by.name, field: by })));
+      return formOfNumber(field, by.value.const ?? this.rawValue({ path: prefix + by.name, field: by }));
     } catch (error) {
       if (!(error instanceof CodecError)) throw error;
       return undefined;

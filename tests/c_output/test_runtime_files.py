@@ -70,8 +70,20 @@ PROGRAMS = {
         ' line = (const uint8_t *)"\\5\\0AB";'
         " if (device_widen_fields(texts, 2, line, 4, image) != DEVICE_ERR_WRONG_MEASURE) return 1;",
     ),
-    "inner_lists.h": (
+    "list_elements.h": (
         ["machine.h", "status.h"],
+        "const device_inner_list bits_count ="
+        " {2u, 2u, 1u, 0u, 8u, 0u, 2u, 1u, 0L, true, 240u, NULL, NULL, NULL, 0u, false, false, false, 0L};"
+        " const device_inner_list packed ="
+        " {0u, 0u, 2u, 2u, 4u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, NULL, 12u, false, true, false, 0L};"
+        ' uint8_t image[4], out[3]; const uint8_t *bits = (const uint8_t *)"\\xFA\\xB2\\xCD";'
+        ' if (device_list_size(&bits_count, (const uint8_t *)"\\x2F\\xFF") != 2) return 1;'
+        " device_unpack_list(&packed, bits, 4, image);"
+        ' if (memcmp(image, "\\xFF\\xAB\\2\\xCD", 4) != 0 || device_list_bytes(&packed, 4) != 3) return 1;'
+        " device_pack_list(&packed, image, 4, out); if (memcmp(out, bits, 3) != 0) return 1;",
+    ),
+    "inner_lists.h": (
+        ["machine.h", "status.h", "list_elements.h"],
         "const device_inner_list lists[2] ="
         " {{2u, 4u, 2u, 0u, 4u, 1u, 1u, 2u, 0L, false, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L},"
         " {3u, 8u, 1u, 0u, 3u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L}};"
@@ -79,8 +91,6 @@ PROGRAMS = {
         ' const uint8_t *data = (const uint8_t *)"a\\1LIyTSz", *longer = (const uint8_t *)"a\\3yz";'
         " const device_inner_list tags ="
         " {1u, 1u, 4u, 0u, 8u, 0u, 0u, 1u, 0L, false, 0u, tag_size, NULL, NULL, 0u, false, false, false, 0L};"
-        " const device_inner_list bits_count ="
-        " {2u, 2u, 1u, 0u, 8u, 0u, 2u, 1u, 0L, true, 240u, NULL, NULL, NULL, 0u, false, false, false, 0L};"
         " const device_inner_list packed ="
         " {0u, 0u, 2u, 2u, 4u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, NULL, 12u, false, true, false, 0L};"
         ' const uint8_t *bits = (const uint8_t *)"\\xFA\\xB2\\xCD";'
@@ -98,7 +108,6 @@ PROGRAMS = {
         " if (device_take_lists(&tags, 1, 1, sent, 5, image, &length) != DEVICE_ERR_INCOMPLETE) return 1;"
         " if (device_take_lists(&packed, 1, 0, bits, 3, image, &length) != DEVICE_OK || length != 4) return 1;"
         ' if (memcmp(image, "\\xFF\\xAB\\2\\xCD", 4) != 0) return 1;'
-        ' if (device_list_size(&bits_count, (const uint8_t *)"\\x2F\\xFF") != 2) return 1;'
         " if (device_place_lists(&packed, 1, 0, image, length, out, 8, &length) != DEVICE_OK || length != 3) return 1;"
         " if (memcmp(out, bits, 3) != 0) return 1;"
         " if (tag_size(sent + 1, 5) != 3 || tag_size(sent + 1, 0) != 1 || tag_size(sent + 2, 4) != 0) return 1;",

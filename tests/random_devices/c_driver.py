@@ -155,6 +155,7 @@ class Driver:
         assert selector is not None
         constant = selector.value.const if selector.value is not None else None
         chosen = str(constant) if constant is not None else f"in->{member(selector.name)}"
+        chosen = chosen if field.deciding_bits is None else f"{chosen} & {field.deciding_bits}u"
         branches = []
         for case in field.cases:
             labels = " ".join(f"case {number}:" for number in sorted(case.numbers))

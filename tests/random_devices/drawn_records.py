@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from random_devices.draft import BOUNDS, Draft, EnumDraft, RecordDraft, Spec
+from random_devices.draft import BOUNDS, SIZES, Draft, EnumDraft, RecordDraft, Spec
 from random_devices.drawn_presences import continued_list, list_counter, more_ways, presence_decider
 from random_devices.drawn_values import packed_list, size_of, value, varying_text, varying_value
 
@@ -343,7 +343,12 @@ def _closed_enums(draft: Draft) -> list[EnumDraft]:
 
 
 def _deciding(draft: Draft) -> tuple[Spec, Spec] | None:
-    """A field with an enum, and one whose type it decides; None where no enum can."""
+    """A field with an enum, maybe in some of its bits, and one whose type that decides; None where no enum can."""
+    words = _deciding_bits(draft)
+    if words and draft.chance(60):
+        word, bits, enum = draft.pick(words)
+        selector = draft.fact(type=draft.flags[word], flags=word)
+        return selector, draft.fact(choice={"by": selector["name"], "bits": bits, "cases": _cases(draft, enum)})
     closed = _closed_enums(draft)
     if not closed:
         return None
@@ -351,13 +356,30 @@ def _deciding(draft: Draft) -> tuple[Spec, Spec] | None:
     wide = any(n > 0xFF for n in enum.members.values())
     kind = draft.pick(("u16", "u32")) if wide else draft.pick(("u8", "u16"))
     selector = draft.fact(type=kind, enum=enum.name)
+    return selector, draft.fact(choice={"by": selector["name"], "cases": _cases(draft, enum)})
+
+
+def _deciding_bits(draft: Draft) -> list[tuple[str, str, EnumDraft]]:
+    """Words with some bits whose enum may decide the type of a field."""
+    enums = {enum.name: enum for enum in draft.enums if len(enum.members) > 1}
+    return [
+        (word["name"], bit["bits"], enums[bit["enum"]])
+        for word in draft.spec.get("flags", ())
+        if SIZES[word["type"]] <= 4 and "bit_0" not in word
+        for bit in word["bits"]
+        if bit.get("enum") in enums and "bits" in bit and "," not in bit["bits"] and not BOUNDS & set(bit)
+    ]
+
+
+def _cases(draft: Draft, enum: EnumDraft) -> list[Spec]:
+    """Types for the members of an enum."""
     left = list(enum.members)
     cases = []
     while left and len(cases) < 4:
         width = draft.number(1, 2)
         cases.append(draft.fact(when=left[:width], **value(draft, "case")))
         left = left[width:]
-    return selector, draft.fact(choice={"by": selector["name"], "cases": cases})
+    return cases
 
 
 def _choice_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
@@ -408,7 +430,8 @@ def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
     selector, last = decided
     cases = last["choice"]["cases"]
     # How often a constant is repeated is not a value of C's self-test.
-    if draft.chance(50) and not any("const" in case for case in cases):
+    has_bits = "bits" in last["choice"]
+    if draft.chance(50) and not has_bits and not any("const" in case for case in cases):
         last["repeat"] = _limits(draft)
     before = _inserted(draft, fields, selector)
     if "repeat" in last and draft.chance(50):

@@ -29,7 +29,7 @@ UNITS = ("mm", "rpm", "%", "ms", "V", "pulse", "°C")
 
 def value(draft: Draft, place: str, types: tuple[str, ...] = ()) -> Spec:
     """The keys of a random value at a place."""
-    if place in ("field", "register", "signal") and not types and draft.digits(7):
+    if place in ("field", "register", "signal", "case") and not types and draft.digits(14 if place == "case" else 7):
         return _digits(draft, place)
     kind = draft.pick(types or _types(draft, place))
     keys: Spec = {"type": kind}
@@ -178,7 +178,7 @@ def _digits(draft: Draft, place: str) -> Spec:
     has_nibbles = form in ("bcd", "packed_decimal")
     is_signed = draft.chance(40)
     size = draft.number(1, 8)
-    places = draft.number(1, 3) if form == "decimal" and draft.chance(40) else 0
+    places = draft.number(1, 3) if form == "decimal" and place != "case" and draft.chance(40) else 0
     if form.endswith("hex") and is_signed:
         size = draft.pick((2, 4, 8, 16))
     elif form == "decimal":

@@ -60,14 +60,11 @@ def record_values(layout: DeviceLayout, record: RecordLayout, dice: random.Rando
         return values | ({} if is_computed(record.selector) else {record.selector.name: number})
     values: dict[str, Any] = {}
     for field in record.fields:
-        forms = [
-            form
-            for own in record.fields
-            if own.selector is not None and own.selector.name == field.name
-            for form in own.forms
-        ]
-        if forms and not is_computed(field) and dice.random() < 0.9:
-            values[field.name] = dice.choice(forms)
+        decided = [own for own in record.fields if own.selector is not None and own.selector.name == field.name]
+        if decided and not is_computed(field) and dice.random() < 0.9:
+            own = dice.choice(decided)
+            number = _field(layout, field, dice) if own.deciding_bits is not None else 0
+            values[field.name] = own.with_case(number, dice.choice(list(own.forms)))
         elif field.cases:
             values[field.name] = _field(layout, record.decided_by(values).named(field.name), dice)
         elif not is_computed(field):
@@ -206,7 +203,10 @@ def record_bytes(record: RecordLayout, dice: random.Random) -> bytes:
             packed = len(data) - form.sent_fields[-1].offset
             put(data, field.offset, field.size, field.order, max(0, 8 * packed - dice.choice((0, 1, 7, 8))))
         elif field.selector is not None and dice.random() < 0.8:
-            put(data, field.selector.offset, field.selector.size, field.selector.order, dice.choice(list(field.forms)))
+            own = field.selector
+            order: Literal["big", "little"] = "big" if own.order == "big" else "little"
+            number = int.from_bytes(data[own.offset : own.offset + own.size], order)
+            put(data, own.offset, own.size, own.order, field.with_case(number, dice.choice(list(field.forms))))
         elif field.value is not None and field.value.const is not None and dice.random() < 0.8 and not field.is_list:
             put(data, field.offset, field.size, field.order, field.value.const)
     return bytes(data)

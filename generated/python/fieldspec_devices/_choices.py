@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import index
 from struct import Struct
 
 from ._conversions import Repeated
@@ -54,19 +55,19 @@ class Case:
 
 
 class Cases:
-    """The types of a single field that other fields follow, by the numbers of its selector `by`."""
+    """The types of a single field that other fields follow, by the bits in the `mask` of its selector `by`."""
 
-    __slots__ = ("by", "values")
+    __slots__ = ("by", "mask", "values")
 
-    def __init__(self, by: str, *cases: tuple[tuple[int, ...], Value[Any]]) -> None:
-        self.by = by
+    def __init__(self, by: str, *cases: tuple[tuple[int, ...], Value[Any]], mask: int = -1) -> None:
+        self.by, self.mask = by, mask
         self.values: dict[int, Value[Any]] = {}
         for numbers, value in cases:
             self.values |= dict.fromkeys(numbers, value)
 
-    def decoded(self, name: str, number: int, data: bytes, at: int) -> Any:
+    def decoded(self, name: str, number: Any, data: bytes, at: int) -> Any:
         """The value at the beginning of some bytes, the first of which is byte `at`. Raises CodecError."""
-        value = self.values[number]
+        value = self._chosen(number)
         try:
             return value.decode(name, data[: value.size])
         except CodecError as error:
@@ -74,18 +75,20 @@ class Cases:
 
     def raw(self, name: str, number: Any, value: Any) -> bytes:
         """The bytes of a value for a number of the selector. Raises CodecError."""
-        if number not in self.values:
-            raise self._unchosen(number)
-        return self.values[number].encode(name, value)
+        return self._chosen(number).encode(name, value)
 
     def refused(self, name: str, number: Any, value: Any) -> CodecError | None:
         """Why a value cannot be encoded for a number of the selector; None for one that can be."""
-        if not isinstance(number, int) or number not in self.values:
-            return self._unchosen(number)
-        return self.values[number].refused(name, value)
+        try:
+            return self._chosen(number).refused(name, value)
+        except CodecError as error:
+            return error
 
-    def _unchosen(self, number: Any) -> CodecError:
-        return CodecError("unknown_value", f"{self.by} is {number}, which chooses nothing that may follow")
+    def _chosen(self, number: Any) -> Value[Any]:
+        value = self.values.get(index(number) & self.mask) if hasattr(number, "__index__") else None
+        if value is None:
+            raise CodecError("unknown_value", f"{self.by} is {number}, which chooses nothing that may follow")
+        return value
 
 
 class Choice:

@@ -8,82 +8,12 @@ from __future__ import annotations
 from struct import Struct
 
 from ._error import CodecError
+from ._list_parts import Decision, More, Packing
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import Any, Literal
-
-
-class Decision:
-    """The number that decides how many bytes an element has: the field `name`, `length` bytes at `at` in the image."""
-
-    __slots__ = ("at", "length", "name", "order", "sizes")
-
-    def __init__(self, name: str, at: int, length: int, order: Literal["big", "little"], sizes: dict[int, int]) -> None:
-        self.name, self.at, self.length, self.sizes = name, at, length, sizes
-        self.order: Literal["big", "little"] = order
-
-    def size(self, fields: bytes, at: int) -> int:
-        """The bytes of the element, refused with the place of a number that decides nothing."""
-        number = int.from_bytes(fields[self.at : self.at + self.length], self.order)
-        if number not in self.sizes:
-            raise CodecError("unknown_value", f"{self.name} is {number}, which chooses nothing that may follow", at)
-        return self.sizes[number]
-
-
-class Packing:
-    """Numbers of `bits` bits that follow each other, from the highest or in the order `little` from the lowest bit on;
-    in the image each has `size` bytes.
-    """
-
-    __slots__ = ("bits", "order", "signed", "size")
-
-    def __init__(self, bits: int, size: int, order: Literal["big", "little"], *, signed: bool = False) -> None:
-        self.bits, self.size, self.signed = bits, size, signed
-        self.order: Literal["big", "little"] = order
-
-    def sent_size(self, numbers: int) -> int:
-        """The bytes of some numbers."""
-        return (numbers * self.bits + 7) // 8
-
-    def unpacked(self, data: bytes, numbers: int) -> bytes:
-        """The image of some numbers."""
-        packed, half = int.from_bytes(data, self.order), 1 << self.bits - 1
-        image = []
-        for index in range(numbers):
-            low = index * self.bits if self.order == "little" else 8 * len(data) - (index + 1) * self.bits
-            number = packed >> low & 2 * half - 1
-            number -= 2 * half if self.signed and number >= half else 0
-            image.append(number.to_bytes(self.size, self.order, signed=number < 0))
-        return b"".join(image)
-
-    def packed(self, image: bytes) -> bytes:
-        """The bytes that are sent for an image, which ends with zeros up to a whole byte."""
-        numbers, packed = len(image) // self.size, 0
-        size = self.sent_size(numbers)
-        for index in range(numbers):
-            number = int.from_bytes(image[index * self.size : (index + 1) * self.size], self.order)
-            low = index * self.bits if self.order == "little" else 8 * size - (index + 1) * self.bits
-            packed |= (number & (1 << self.bits) - 1) << low
-        return packed.to_bytes(size, self.order)
-
-
-class More:
-    """Another element follows one whose number, `length` bytes at `at` in it, has in `mask` one of some numbers."""
-
-    __slots__ = ("at", "following", "length", "mask", "order")
-
-    def __init__(
-        self, at: int, length: int, order: Literal["big", "little"], mask: int, following: tuple[int, ...]
-    ) -> None:
-        self.at, self.length, self.mask, self.following = at, length, mask, following
-        self.order: Literal["big", "little"] = order
-
-    def follows(self, element: bytes) -> bool:
-        """Whether another element follows this one."""
-        number = int.from_bytes(element[self.at : self.at + self.length], self.order)
-        return number & self.mask in self.following
 
 
 class InnerList:

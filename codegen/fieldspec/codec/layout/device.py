@@ -98,10 +98,8 @@ def device_layout(device: Device) -> DeviceLayout:
         message.name: MessageLayout(
             message,
             message.name,
-            with_bit_count(
-                device, message, record_layout(message.request, records, orders, device.enums, is_part=False)
-            ),
-            record_layout(message.response, records, orders, device.enums, is_part=False),
+            with_bit_count(device, message, record_layout(message.request, records, orders, device, is_part=False)),
+            record_layout(message.response, records, orders, device, is_part=False),
         )
         for message in device.messages.values()
     }
@@ -129,7 +127,7 @@ def _add_record(
     for field in record.fields:
         if field.record:
             _add_record(device.records[field.record], device, records, orders, parts)
-    records[record.name] = record_layout(record, records, orders, device.enums, record.name in parts)
+    records[record.name] = record_layout(record, records, orders, device, record.name in parts)
 
 
 def _register(register: Register, orders: Orders) -> RegisterLayout:

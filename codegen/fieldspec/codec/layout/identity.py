@@ -155,7 +155,7 @@ def _field(field: FieldLayout) -> Iterator[Words]:
         yield ("a list",)
     yield text, spec.reserved, spec.repeat, spec.same_as, filled, *value_words(field.value)
     if field.selector is not None:
-        yield "decided by", field.selector.name
+        yield "decided by", field.selector.name, *(() if field.deciding_bits is None else (field.deciding_bits,))
     if field.presence is not None and field.presence.numbers:
         yield "present by", field.presence.by, field.presence.mask, [*field.presence.numbers]
     if field.continuation is not None:

@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 
 from fieldspec.codec.layout.continuation import Continuation, continuation_data
 from fieldspec.codec.layout.packing import Packing, packing_data
-from fieldspec.codec.layout.presence import PresenceLayout, presence_data
+from fieldspec.codec.layout.presence import PresenceLayout, masked, presence_data
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 class Decision:
     """The number that decides how many bytes an element has: the field `name`, `size` bytes at `offset` in the image.
 
-    `sizes` are the bytes of the element by that number; another one decides nothing.
+    `sizes` are the bytes of the element by that number, or by its bits in a `mask`; another one decides nothing.
     """
 
     name: str
@@ -33,11 +33,12 @@ class Decision:
     size: int
     order: str
     sizes: Mapping[int, int]
+    mask: int | None = None
 
     def size_in(self, image: bytes) -> int | None:
         """The bytes of the element, as an image that has the number says; None where it decides nothing."""
         order: Literal["big", "little"] = "big" if self.order == "big" else "little"
-        return self.sizes.get(int.from_bytes(image[self.offset : self.offset + self.size], order))
+        return self.sizes.get(masked(int.from_bytes(image[self.offset : self.offset + self.size], order), self.mask))
 
 
 @dataclass(frozen=True, slots=True)
@@ -395,4 +396,5 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
 
 def _decision_row(row: Decision) -> dict[str, Any]:
     is_little = {"little": True} if row.order == "little" else {}
-    return {"name": row.name, "at": row.offset, "length": row.size, **is_little, "sizes": dict(row.sizes)}
+    mask = {"mask": row.mask} if row.mask is not None else {}
+    return {"name": row.name, "at": row.offset, "length": row.size, **is_little, **mask, "sizes": dict(row.sizes)}

@@ -13,6 +13,11 @@ if TYPE_CHECKING:
     from typing import Any
 
 
+def masked(number: int, mask: int | None) -> int:
+    """The bits of a number that decide something, in their place; all where there is no mask."""
+    return number if mask is None else number & mask
+
+
 @dataclass(frozen=True, slots=True)
 class PresenceLayout:
     """A field is sent if the bits `mask` of the number of the field `by` are one of `numbers`.

@@ -6,16 +6,16 @@ from collections.abc import Mapping
 from itertools import takewhile
 
 from fieldspec.codec.layout.continuation import Continuation
-from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
+from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.packing import Packing, packing_of
-from fieldspec.codec.layout.presence import PresenceLayout
+from fieldspec.codec.layout.presence import PresenceLayout, masked
 from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation import classes
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.language.model.encoding import is_octets
 from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.raw_numbers import orders_of
-from fieldspec.language.model.record import Case, Field, Measure, Record, list_count, text_count
+from fieldspec.language.model.record import Case, Field, Measure, Record
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.value import Value
 
@@ -25,7 +25,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class CaseLayout:
-    """The type of a field if the deciding field has one of `numbers`; `order` and `swapped` as in `FieldLayout`."""
+    """The type of a field if the deciding field, or its deciding bits in their place, is one of `numbers`.
+
+    `order` and `swapped` are as in `FieldLayout`.
+    """
 
     case: Case
     name: str
@@ -42,7 +45,7 @@ class FieldLayout:
     `size` is the size of one element in bytes. `count` is the number of elements, None if they go on to the end of the
     data. A field has either a `value`, or a `record`, or `cases`; `size` is then the size of the smallest case. Where
     other fields follow it, or its record is part of another one, `size` is that of the greatest case, and `forms`
-    is the field as each number of the `selector`, a field before it, decides it.
+    is the field as each number of the `selector`, a field before it, decides it, or of some of its bits.
 
     `order` is the order of the bytes; `swapped` if the order of the 16-bit words is the opposite one. For a field
     with the bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of
@@ -131,13 +134,33 @@ class FieldLayout:
             return self
         order: Literal["big", "little"] = "big" if self.selector.order == "big" else "little"
         place = slice(self.selector.offset, self.selector.offset + self.selector.size)
-        return self.forms.get(int.from_bytes(image[place], order))
+        return self.form_of(int.from_bytes(image[place], order))
 
     def form_of(self, number: object) -> FieldLayout | None:
         """The field as a number of its selector decides it, None if that decides nothing; itself where it has none."""
         if self.selector is None:
             return self
-        return self.forms.get(number) if isinstance(number, int) else None
+        return self.forms.get(masked(number, self.deciding_bits)) if isinstance(number, int) else None
+
+    @property
+    def deciding_bits(self) -> int | None:
+        """The mask of the bits of the selector that decide its type; None where all of them do."""
+        return self.field.choice.mask if self.field.choice is not None else None
+
+    def deciding(self, values: Mapping[str, Any]) -> int:
+        """The number that its selector, which has a number among some values, has where it decides a type.
+
+        It is that number, or else the first one that decides a type, with the other bits of that number.
+        """
+        assert self.selector is not None
+        number: int = values[self.selector.name]
+        if self.form_of(number) is not None:
+            return number
+        return self.with_case(number, min(self.forms))
+
+    def with_case(self, number: int, case_number: int) -> int:
+        """A number of its selector with the bits that decide it from another number, which decides a case."""
+        return case_number | (0 if self.deciding_bits is None else number & ~self.deciding_bits)
 
     @property
     def bounds(self) -> tuple[int, int]:
@@ -301,68 +324,6 @@ class RecordLayout:
         if self.selector is None:
             return self
         return self.chosen.get(number) if isinstance(number, int) else None
-
-
-def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists:
-    """Where the lists of a record begin, and what counts them. A text that varies in width is a list of its bytes.
-
-    Each list of a record that `is_element` of another one is counted, since the data do not end with it.
-    """
-    by_name = {field.name: field for field in record.fields}
-    sent_fields = [by_name[field.name] for field in record.record.fields]
-    last = [field for field in sent_fields if field.varies][-1]
-    fixed = sum(field.size * (field.count or 0) for field in record.fields if not field.varies)
-    first, room = 0, fixed
-    lists, places = list[InnerList](), dict[str, int]()
-    for field in sent_fields:
-        if not field.varies:
-            places[field.name] = first
-            first += field.size * (field.count or 0)
-            continue
-        is_text = field.value is not None and field.value.width > 0
-        element = 1 if is_text else field.size
-        low, high = (0, field.size) if is_text else field.bounds
-        inner = InnerList(field.name, first, room, element, low * element, high * element, packing=field.packing)
-        inner = replace(inner, continuation=field.continuation)
-        count = (text_count if is_text else list_count)(record.record, field.field)
-        counts_sent = count is not None and by_name[count.name].counts_sent
-        if is_element or field is not last or field.continuation is not None or counts_sent:
-            if field.presence is not None:
-                decider = by_name[field.presence.by]
-                inner = replace(_with_number_at(inner, decider, places[decider.name]), presence=field.presence)
-                if field.has_count_in_bits:
-                    inner = replace(inner, unit=element // field.presence.unit, plus=field.presence.plus)
-            elif count is not None:
-                inner = _with_count(inner, by_name[count.name], places[count.name])
-        if field.record is not None and field.record.size is None:
-            inner = replace(inner, parts=inner_lists_of(field.record, is_element=True))
-        elif field.continuation is not None:
-            inner = replace(inner, parts=InnerLists((), field.size))
-        if field.selector is not None:
-            inner = replace(inner, decision=_decision(field, field.selector, places[field.selector.name]))
-        lists.append(inner)
-        room += inner.most
-    return InnerLists(tuple(lists), fixed)
-
-
-def _decision(field: FieldLayout, selector: FieldLayout, offset: int) -> Decision:
-    """What decides the bytes of a field, by a selector that is at an offset in the image."""
-    sizes = {number: form.size for number, form in field.forms.items()}
-    return Decision(selector.name, offset, selector.size, selector.order, sizes)
-
-
-def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
-    """A list with the field that counts it, which is at an offset in the image."""
-    measures, own = count.field.measures, count.measure
-    assert measures is not None
-    assert own is not None
-    inner = replace(_with_number_at(inner, count, offset), sent_plus=measures.plus if count.counts_sent else None)
-    return replace(inner, unit=own.unit(inner.element), plus=own.plus)
-
-
-def _with_number_at(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
-    """A list with the field that says how many elements it has, which is at an offset in the image."""
-    return replace(inner, count=count.name, count_at=offset, count_size=count.size, count_order=count.order)
 
 
 def _number_of(selector: FieldLayout, values: Mapping[str, object]) -> object:

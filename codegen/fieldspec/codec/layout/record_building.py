@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.codec.layout.continuation import Continuation
+from fieldspec.codec.layout.list_places import inner_lists_of
 from fieldspec.codec.layout.presence import PresenceLayout, presence_layout
-from fieldspec.codec.layout.record import CaseLayout, FieldLayout, Orders, RecordLayout, inner_lists_of
+from fieldspec.codec.layout.record import CaseLayout, FieldLayout, Orders, RecordLayout
 from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation.classes import TYPE_CHECKING, replace
+from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.record import Choice, Field, Record, text_count
 from fieldspec.language.model.stated_bits import legal_numbers, stated_bits
@@ -18,16 +20,16 @@ if TYPE_CHECKING:
 
 
 def record_layout(
-    record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum], is_part: bool
+    record: Record, records: Mapping[str, RecordLayout], orders: Orders, device: Device, is_part: bool
 ) -> RecordLayout:
     """The layout of a record, which may be part of others. `records` are the layouts of the records in it."""
     last = record.fields[-1] if record.fields else None
     if last is None or last.choice is None:
-        return _fixed(record, records, orders, enums)
+        return _fixed(record, records, orders, device)
     is_behind = any(_varies(field, records) for field in record.fields[:-1])
-    if not last.is_list and (is_part or is_behind):
-        return _fixed(record, records, orders, enums)
-    return _choosing(record, last, last.choice, records, orders, enums)
+    if last.choice.bits is not None or (not last.is_list and (is_part or is_behind)):
+        return _fixed(record, records, orders, device)
+    return _choosing(record, last, last.choice, records, orders, device)
 
 
 def _varies(field: Field, records: Mapping[str, RecordLayout]) -> bool:
@@ -46,15 +48,14 @@ def _is_packed(field: Field) -> bool:
     return field.value is not None and field.value.packed_bits > 0
 
 
-def _case_layouts(record: Record, choice: Choice, orders: Orders, enums: Mapping[str, Enum]) -> tuple[CaseLayout, ...]:
-    selector = record.named(choice.by)
-    enum = enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
-    assert enum is not None
+def _case_layouts(record: Record, choice: Choice, orders: Orders, device: Device) -> tuple[CaseLayout, ...]:
+    enum = device.enums[choice.enum_of(record.named(choice.by), device.flags)]
+    shift = choice.bits[0] if choice.bits is not None else 0
     return tuple(
         CaseLayout(
             case,
             case.name,
-            frozenset(member.value for name in case.when if (member := enum.named(name)) is not None),
+            frozenset(member.value << shift for name in case.when if (member := enum.named(name)) is not None),
             case.value,
             *orders.of(case.value),
         )
@@ -68,14 +69,14 @@ def _choosing(
     choice: Choice,
     records: Mapping[str, RecordLayout],
     orders: Orders,
-    enums: Mapping[str, Enum],
+    device: Device,
 ) -> RecordLayout:
     """The layout of a record whose last field has cases, with one for each of these."""
-    cases = _case_layouts(record, choice, orders, enums)
+    cases = _case_layouts(record, choice, orders, device)
     chosen: dict[int, RecordLayout] = {}
     for case in cases:
         decided = replace(last, value=case.value, choice=None)
-        record_layout = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders, enums)
+        record_layout = _fixed(replace(record, fields=(*record.fields[:-1], decided)), records, orders, device)
         chosen |= dict.fromkeys(sorted(case.numbers), record_layout)
     shapes = list(chosen.values())
     first = shapes[0]
@@ -95,12 +96,11 @@ def _choosing(
     )
 
 
-def _fixed(
-    record: Record, records: Mapping[str, RecordLayout], orders: Orders, enums: Mapping[str, Enum]
-) -> RecordLayout:
+def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders, device: Device) -> RecordLayout:
     """The layout of a record that is the same for all data, or has an image."""
     offset = 0
     fields: list[FieldLayout] = []
+    enums = device.enums
     differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
     lists = [field for field in record.fields if _varies(field, records)]
     is_inner = any(field is not record.fields[-1] or _is_never_open(field) for field in lists)
@@ -108,7 +108,7 @@ def _fixed(
     remaining_fields = [field for field in record.fields if field not in lists]
     for field in (*remaining_fields, *lists) if is_inner else record.fields:
         nested = records[field.record] if field.record else None
-        cases = _case_layouts(record, field.choice, orders, enums) if field.choice is not None else ()
+        cases = _case_layouts(record, field.choice, orders, device) if field.choice is not None else ()
         case_size = max((case.value.size for case in cases), default=0)
         size = field.value.size if field.value else (nested.most or 0) if nested else case_size
         count = None if field.repeat else field.count or 1

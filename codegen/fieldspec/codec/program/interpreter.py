@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from fieldspec.codec.layout.accepted import Condition, passes
 from fieldspec.codec.layout.inner_lists import InnerLists, ListExtent
+from fieldspec.codec.layout.presence import masked
 from fieldspec.codec.layout.values import Raw
 from fieldspec.codec.layout.widths import widened
 from fieldspec.codec.program.operations import (
@@ -131,7 +132,7 @@ def _decided(part: Decided, rows_beside: dict[str, Row]) -> Each:
     """The program that the number of another field decides."""
     number = rows_beside[part.by].number
     assert isinstance(number, int)
-    return part.forms[number]
+    return part.forms[masked(number, part.mask)]
 
 
 def run_each(

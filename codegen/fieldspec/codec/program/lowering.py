@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.accepted import accepted
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
+from fieldspec.codec.layout.list_places import inner_lists_of
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.program.operations import (
     Decided,
     Each,
@@ -86,7 +87,7 @@ def _part(device: Device, record: RecordLayout, field: FieldLayout) -> Each | De
     if field.selector is None:
         return field_program(device, record, field)
     forms = {number: field_program(device, record, form) for number, form in field.forms.items()}
-    return Decided(field.name, field.selector.name, forms)
+    return Decided(field.name, field.selector.name, forms, field.deciding_bits)
 
 
 def _load(variable: Variable, order: str, swapped: bool) -> Load:

@@ -96,11 +96,15 @@ class Each:
 
 @dataclass(frozen=True, slots=True)
 class Decided:
-    """The one of several programs for a field that the number of another field of its record, `by`, decides."""
+    """The one of several programs for a field that the number of another field of its record, `by`, decides.
+
+    With a `mask`, these bits of the number decide.
+    """
 
     name: str
     by: str
     forms: Mapping[int, Each]
+    mask: int | None = None
 
 
 Operation = Load | LoadPacked | LoadVarying | Require | Remark | Inner | Each | Decided

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from fieldspec.codec.layout.inner_lists import InnerLists
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
+from fieldspec.codec.layout.list_places import inner_lists_of
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.codec.reference.bits import number_of_bits
@@ -63,7 +64,8 @@ def decoded(record: RecordLayout, data: bytes, device: Device, offset: int = 0) 
     parsed = record_struct(record).parse(data)
     values: Values = {}
     for field in record.fields:
-        form = field if field.selector is None else field.forms[parsed[field.selector.name]]
+        form = field if field.selector is None else field.form_of(parsed[field.selector.name])
+        assert form is not None
         values[field.name] = _decoded_field(form, parsed[field.name], device, offset)
     _check_measures(record, values, offset)
     return values
@@ -253,13 +255,12 @@ def _encoded_fields(record: RecordLayout, values: Mapping[str, Any], device: Dev
     """The raw values of all fields of a record, also of those that measure others."""
     raw: Values = {}
     for field in record.fields:
-        form = field
-        if field.selector is not None:
-            number = raw[field.selector.name]
-            if number not in field.forms:
-                text = f"{field.selector.name} is {number}, which chooses nothing that may follow"
-                raise CodecError("unknown_value", text)
-            form = field.forms[number]
+        number = raw[field.selector.name] if field.selector is not None else None
+        form = field.form_of(number)
+        if form is None:
+            assert field.selector is not None
+            text = f"{field.selector.name} is {number}, which chooses nothing that may follow"
+            raise CodecError("unknown_value", text)
         if field.field.measures is None:
             raw[field.name] = _encoded_field(form, values, device)
     for field in record.fields:

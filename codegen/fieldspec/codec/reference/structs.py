@@ -84,13 +84,15 @@ def _element(record: RecordLayout, field: FieldLayout) -> construct.Construct:
         return record_struct(field.record)
     if not field.cases:
         return value_construct(field.value, field.order, field.swapped)
-    selector_name = field.field.choice.by if field.field.choice else ""
+    choice = field.field.choice
+    assert choice is not None
     cases = {
         number: value_construct(case.value, case.order, case.swapped) for case in field.cases for number in case.numbers
     }
     if field.forms:
         cases = {number: construct.Padded(field.size, case) for number, case in cases.items()}
-    return construct.Switch(construct.this[selector_name], cases, default=construct.Error)
+    number = construct.this[choice.by] if choice.mask is None else construct.this[choice.by] & choice.mask
+    return construct.Switch(number, cases, default=construct.Error)
 
 
 def value_construct(value: Value | None, order: str, swapped: bool) -> construct.Construct:

@@ -88,7 +88,7 @@ def _rows(field: FieldLayout, base: int | None, has_place: bool) -> Iterator[tup
         yield (
             place_text,
             _type(field, case.value.type.name),
-            f"{name}, {choice.by} {condition}",
+            f"{name}, {choice.subject} {condition}",
             label,
             *_value(case.value),
         )

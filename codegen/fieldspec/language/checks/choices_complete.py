@@ -1,6 +1,7 @@
 """The field that decides a choice comes before it in its record and is a single unsigned number with an enum; each
-member of that enum is in at most one case. A choice with several elements ends the data of a message or of an exception
-response, and all fields before it have a fixed size. No field measures any other choice, no choice contains a
+member of that enum is in at most one case. If `bits` decide, the number has at most four bytes, and its `flags` have an
+enum in exactly these bits. A choice with several elements ends the data of a message or of an exception response, and
+all fields before it have a fixed size; no `bits` decide it. No field measures any other choice, no choice contains a
 parameter, and no table contains a choice.
 
 Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members
@@ -21,12 +22,13 @@ from fieldspec.language.checks.facts import fields, layers, nested_fields
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.encoding import is_count, is_signed
+from fieldspec.language.model.encoding import Whole, is_count, is_signed
 from fieldspec.language.model.record import Case, Choice, Field, Record
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.value import Value
 
 _CODE = "choices_complete"
+_MOST_BYTES = 4
 
 
 def choices_complete(device: Device) -> Iterator[Diagnostic]:
@@ -52,15 +54,19 @@ def choices_complete(device: Device) -> Iterator[Diagnostic]:
 def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool) -> Iterator[Diagnostic]:
     other_fields = [other for other in layer.fields if other is not field]
     varying = next((other for other in other_fields if not sizes.is_fixed(other)), None)
+    has_bits = field.choice is not None and field.choice.bits is not None
     if field.count is not None:
         text = f"{field.name} has a choice and a `count`"
         yield finding(_CODE, field.place, "count", text, "use `repeat` to the end of the data, or remove `count`")
+    elif field.repeat is not None and has_bits:
+        text = f"some bits decide the type of {field.name}, which has several elements"
+        yield finding(_CODE, field.place, "repeat", text, "state the choice in a record, and `repeat` that")
     elif field.repeat is not None and (is_part or varying is not None or field is not layer.fields[-1]):
         text = f"{field.name} has a choice and several elements, so only the end of the data determines where they end"
         help = "list it last in a message in which all else has a fixed size, or remove `repeat`"
         labels = [label(varying.place, "name", "has no fixed size")] if varying is not None else []
         yield finding(_CODE, field.place, "repeat", text, help, *labels)
-    if field is layer.fields[-1] and not is_part and varying is None:
+    if field is layer.fields[-1] and not is_part and varying is None and not has_bits:
         return
     for other in other_fields:
         if other.measures is not None and other.measures.field == field.name:
@@ -81,22 +87,26 @@ def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Ite
         text = f"{selector.name} decides {field.name}, but does not come before it"
         help = "list the fields in the order of the wire"
         yield finding(_CODE, field.place, "choice", text, help, label(selector.place, "name", selector.name))
-    objection = _objection(device, selector)
+    objection = _objection(device, selector, choice)
     if objection:
         text = f"{selector.name} cannot decide {field.name}: {objection}"
         help = "name one unsigned number that has an enum"
+        if choice.bits is not None:
+            help = "name one unsigned number whose `flags` have an enum in these bits"
         yield finding(_CODE, field.place, "choice", text, help, label(selector.place, "name", selector.name))
 
 
-def _objection(device: Device, selector: Field) -> str:
+def _objection(device: Device, selector: Field, choice: Choice) -> str:
     """The reason why a field cannot decide another one, or an empty text."""
     value = selector.value
     if value is None or selector.count is not None or selector.repeat is not None:
         return "it is not a single value"
     if not is_count(value.encoding) or is_signed(value.encoding):
         return f"it is {value.type.name}"
-    if not value.enum:
-        return "it has no enum"
+    if choice.bits is not None and (value.size > _MOST_BYTES or not isinstance(value.encoding, Whole)):
+        return f"it is {value.type.name}"
+    if not choice.enum_of(selector, device.flags):
+        return "it has no enum" if choice.bits is None else f"{choice.subject} have no enum"
     return "its word order differs from its byte order" if _mixed(device, value) else ""
 
 

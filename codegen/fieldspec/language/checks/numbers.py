@@ -100,11 +100,13 @@ def _of_fields(
 def _decided(device: Device, fields: tuple[Field, ...], choice: Choice, texts: Mapping[str, object]) -> Case | None:
     """The case that the written value of the deciding field chooses."""
     selector = next((field for field in fields if field.name == choice.by), None)
-    enum = device.enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
+    enum = device.enums.get(choice.enum_of(selector, device.flags))
     text = texts.get(choice.by)
     if enum is None or selector is None or selector.value is None:
         return None
     count = in_counts(device, selector.value, text)
+    if choice.bits is not None and count is not None:
+        count = count >> choice.bits[0] & (2 << choice.bits[1] - choice.bits[0]) - 1
     member = enum.member(count) if count is not None else enum.named(str(text))
     return next((case for case in choice.cases if member is not None and member.name in case.when), None)
 

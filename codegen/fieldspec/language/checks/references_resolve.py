@@ -224,27 +224,30 @@ def _within(
             yield from _named(field.place, "measures", "field here", measure.field, own)
         if (presence := field.presence) is not None:
             yield from _named(field.place, "present_if", "field here", presence.by, own)
-            yield from _of_members(device, layer.named(presence.by), field.place, "present_if", presence.when)
+            yield from _of_members(device, _enum_of(layer.named(presence.by)), field.place, "present_if", presence.when)
         if (continuation := field.continuation) is not None:
             element = device.records.get(field.record)
             if element is not None:
                 names = [other.name for other in element.fields]
                 yield from _named(field.place, "more_if", f"field of {element.name}", continuation.by, names)
             decider = element.named(continuation.by) if element is not None else field
-            yield from _of_members(device, decider, field.place, "more_if", continuation.when)
+            yield from _of_members(device, _enum_of(decider), field.place, "more_if", continuation.when)
         for value in [field.value, *(case.value for case in cases(field))]:
             yield from _parameter_references(field, value, numbers)
         if field.choice is not None:
             yield from _named(field.place, "choice", "field here", field.choice.by, own)
             for case in cases(field):
-                yield from _of_members(device, layer.named(field.choice.by), case.place, "when", case.when)
+                enum = field.choice.enum_of(layer.named(field.choice.by), device.flags)
+                yield from _of_members(device, enum, case.place, "when", case.when)
 
 
-def _of_members(
-    device: Device, selector: Field | None, place: Place, key: str, names: tuple[str, ...]
-) -> Iterator[Diagnostic]:
-    """References to members of the enum of a field that decides on another one."""
-    enum = device.enums.get(selector.value.enum) if selector is not None and selector.value is not None else None
+def _enum_of(decider: Field | None) -> str:
+    return decider.value.enum if decider is not None and decider.value is not None else ""
+
+
+def _of_members(device: Device, name: str, place: Place, key: str, names: tuple[str, ...]) -> Iterator[Diagnostic]:
+    """References to members of the enum of a field, or of some bits of it, that decides on another one."""
+    enum = device.enums.get(name)
     if enum is not None:
         members = {member.name for member in enum.members}
         yield from _check_names(place, key, f"member of {enum.name}", names, members)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import takewhile
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.encoding import is_count, is_signed, is_text
+from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges
@@ -50,10 +52,33 @@ class Case(Fact):
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """The type of a field depends on the value of an earlier field of its record, which has an enum."""
+    """The type of a field depends on the value of an earlier field of its record, or on some adjacent `bits` of it.
+
+    These are the first and the last of the bits. The value has an enum, or these bits of its flags have one.
+    """
 
     by: str
     cases: tuple[Case, ...]
+    bits: tuple[int, int] | None = None
+
+    @property
+    def mask(self) -> int | None:
+        """The bits in the number of the earlier field; None where all of it decides."""
+        return None if self.bits is None else (2 << self.bits[1]) - (1 << self.bits[0])
+
+    @property
+    def subject(self) -> str:
+        """`bits 0..3 of dif`: what decides."""
+        return self.by if self.bits is None else f"bits {self.bits[0]}..{self.bits[1]} of {self.by}"
+
+    def enum_of(self, selector: Field | None, words: Mapping[str, Flags]) -> str:
+        """The name of the enum whose members decide; empty where the field that decides has none."""
+        value = selector.value if selector is not None else None
+        if value is None or self.bits is None:
+            return value.enum if value is not None else ""
+        word = words.get(value.flags)
+        bits = [bit for bit in word.bits if (bit.first, bit.last) == self.bits and not bit.pieces] if word else []
+        return bits[0].enum if bits else ""
 
 
 @dataclass(frozen=True, slots=True)

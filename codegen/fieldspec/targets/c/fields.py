@@ -175,7 +175,8 @@ def _declare_union(field: FieldLayout, count: int | None) -> Iterator[Union]:
     inner: list[Comment | Variable] = []
     for case in field.cases:
         if name := case_member(case):
-            condition = f"While {field.field.choice.by if field.field.choice else ''} is {' or '.join(case.case.when)}."
+            subject = field.field.choice.subject if field.field.choice is not None else ""
+            condition = f"While {subject} is {' or '.join(case.case.when)}."
             inner.append(describe_fact(case.case, condition, describe_value(case.value)))
             inner.append(declare_value(field_value(case), name, count))
     if inner:
@@ -218,7 +219,13 @@ def switch_cases(
 ) -> Statement:
     """Statements that differ from case to case of a field; `number` is that of its selector."""
     branches = [([case], case_body(case)) for case in field.cases]
-    return select(selector, number, branches, _unknown_value(naming))
+    return select(selector, deciding(field, number), branches, _unknown_value(naming))
+
+
+def deciding(field: FieldLayout, number: Expression) -> Expression:
+    """`load_u8(in + 0) & 15u`: the bits of the number of a selector that decide the type of a field."""
+    bits = field.deciding_bits
+    return number if bits is None else Operation("&", (number, unsigned(bits)))
 
 
 def _unknown_value(naming: Naming) -> Body:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
-from fieldspec.codec.layout.record import CaseLayout, RecordLayout, inner_lists_of
+from fieldspec.codec.layout.list_places import inner_lists_of
+from fieldspec.codec.layout.record import CaseLayout, RecordLayout
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, Source, comment
 from fieldspec.targets.c.expressions import INPUT_BYTES, SIZE_TYPE, Identifier
-from fieldspec.targets.c.fields import decoded_selector, select, words_around_images
+from fieldspec.targets.c.fields import deciding, decoded_selector, select, words_around_images
 from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.presences import follows, present_sizes
@@ -128,7 +129,8 @@ def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:
         for case in field.cases:
             cases.setdefault(case.value.size, []).append(case)
         branches = [(own, (Return(unsigned(size)),)) for size, own in cases.items()]
-        number, unknown = decoded_selector(naming, field.selector), (Return(Identifier("SIZE_MAX")),)
+        number = deciding(field, decoded_selector(naming, field.selector))
+        unknown = (Return(Identifier("SIZE_MAX")),)
         text = f"The bytes of {field.name}, which {field.selector.name} decides; SIZE_MAX where that decides nothing."
         name = naming.function("record", record.name, f"{field.name}_decided_size")
         body = (select(field.selector, number, branches, unknown),)

@@ -105,7 +105,7 @@ def counts_in_image(naming: Naming, record: RecordLayout) -> Body:
         if field.count is not None:
             continue
         items = unsigned(1) if room.continuation is None else _elements_in_image(naming, record, field, room)
-        if count is None and room.continuation is None:
+        if field.count is not None or (count is None and room.continuation is None):
             continue
         if count is not None:
             items = _items_of_count(room, decoded_selector(naming, count), items)

@@ -131,8 +131,8 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     encoded = any(wire.value.text_form is not None for wire in wires)
     odd += [[copy_runtime(naming, "encoded_texts.h", "encoded_texts")]] * encoded
     odd += [[copy_runtime(naming, "widths.h", "widths")]] * any(record.spans for record in all_records(layout))
-    inner = any(record.inner_lists is not None for record in all_records(layout))
-    odd += [[copy_runtime(naming, "inner_lists.h", "inner_lists")]] * inner
+    if any(record.inner_lists is not None for record in all_records(layout)):
+        odd += [[copy_runtime(naming, f"{part}.h", part)] for part in ("list_elements", "inner_lists")]
     odd += [_codec(naming, name, codec) for name, codec in number_codecs(layout).items()]
     additional = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]
     accesses = _copy_accesses(naming, _accesses(layout, wires), is_odd=False)

@@ -8,6 +8,7 @@ from typing import Any
 from fieldspec.codec.layout.bit_counts import fitting_bit_count
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.presence import masked
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.codec.layout.widths import data_of
 from fieldspec.foundation.classes import dataclass, replace
@@ -112,7 +113,7 @@ def form_of_values(record: RecordLayout, values: Mapping[str, Any]) -> RecordFor
             field.name: case_member(case)
             for field in record.fields
             for case in field.cases
-            if _number(field, values) in case.numbers
+            if masked(_number(field, values), field.deciding_bits) in case.numbers
         }
         fields = tuple(_decided(field, values) for field in record.fields)
         return RecordForm(replace(record, fields=fields) if cases else record, record, cases)
@@ -132,7 +133,9 @@ def _number(field: FieldLayout, values: Mapping[str, Any]) -> Any:
 
 def _decided(field: FieldLayout, values: Mapping[str, Any]) -> FieldLayout:
     """A field as the values of its record decide it."""
-    return field if field.selector is None else field.forms[_number(field, values)]
+    form = field if field.selector is None else field.form_of(_number(field, values))
+    assert form is not None
+    return form
 
 
 def _selections(device: Device, record: RecordLayout) -> Iterator[dict[str, int]]:
@@ -149,18 +152,24 @@ def _selections(device: Device, record: RecordLayout) -> Iterator[dict[str, int]
 
 def selecting_numbers(device: Device, record: RecordLayout, selector: FieldLayout) -> list[int]:
     """The numbers of a selector with which each field that it decides has a type, and which may be sent."""
-    deciding = ((field.forms, field.selector) for field in record.fields)
-    tables = [forms for forms, own in deciding if own is not None and own.name == selector.name]
+    deciding = [own for own in record.fields if own.selector is not None and own.selector.name == selector.name]
     value = selector.value
-    if not tables or value is None:
+    if not deciding or value is None:
         return []
-    enum = device.enums[value.enum]
-    barred = {member.value for member in enum.members if member.unavailable} if not enum.open else set()
+    word = device.flags.get(value.flags)
+    numbers = {value.const if value.const is not None else word.nearest(word.initial) if word is not None else 0}
+    for field in deciding:
+        numbers = {field.with_case(number, own) for number in numbers for own in field.forms}
+    enum = device.enums.get(value.enum)
+    barred = {member.value for member in enum.members if member.unavailable} if enum and not enum.open else set()
     ranges = value.writable_ranges
     return [
         number
-        for number in sorted(set.intersection(*(set(table) for table in tables)) - barred)
-        if (value.const is None or number == value.const) and (ranges is None or number in ranges)
+        for number in sorted(numbers - barred)
+        if (value.const is None or number == value.const)
+        and (ranges is None or number in ranges)
+        and (word is None or word.refused_bit(number) is None)
+        and all(field.form_of(number) is not None for field in deciding)
     ]
 
 

@@ -273,7 +273,7 @@ def _bytes_of(record: RecordLayout) -> str:
 
 def _case(field: FieldLayout, case: CaseLayout) -> Item:
     """The type of one case of a choice, with the members of the deciding field for which it holds."""
-    selector = field.field.choice.by if field.field.choice else ""
+    selector = field.field.choice.subject if field.field.choice is not None else ""
     condition = f" where {selector} is {', '.join(case.case.when)}"
     return Item((code(case.value.type.name), text_piece(condition)))
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from fieldspec.codec.explain.parameters import index_field
 from fieldspec.codec.explain.row import errata_of_message
 from fieldspec.codec.layout.inner_lists import inner_lists_data
+from fieldspec.codec.layout.list_places import inner_lists_of
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.packing import packing_data
 from fieldspec.codec.layout.presence import presence_data
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import span_data
 from fieldspec.codec.program.lowering import field_program
 from fieldspec.codec.program.operations import Load, LoadVarying
@@ -77,6 +78,7 @@ def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str
                 "presence": presence_data(field.presence) if field.presence is not None else None,
                 "by": field.selector.name if field.selector is not None else "",
                 "forms": _forms(device, record, field) if field.forms else None,
+                "mask": field.deciding_bits,
                 "reserved": own.reserved,
                 "measures": [measures.of, measures.field, *plus] if measures is not None else None,
                 "bitsOf": field.bits_of,

@@ -35,9 +35,11 @@ def _decided_size(record: RecordLayout, field: FieldLayout, selector: FieldLayou
     key = next(member.key for member in members_of(record) if member.field.name == selector.name)
     if not key:
         assert selector.value is not None
-        return str(field.forms[selector.value.const or 0].size)
+        form = field.form_of(selector.value.const)
+        return str(field.size if form is None else form.size)
     rows = ", ".join(f"{number}: {form.size}" for number, form in sorted(field.forms.items()))
-    return f"({{ __proto__: null, {rows} }}[value.{key}] ?? {field.size})"
+    number = f"value.{key}" if field.deciding_bits is None else f"(value.{key} & {field.deciding_bits}) >>> 0"
+    return f"({{ __proto__: null, {rows} }}[{number}] ?? {field.size})"
 
 
 def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:

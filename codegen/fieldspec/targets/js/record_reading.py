@@ -111,9 +111,10 @@ def by_selector(
     branch: Callable[[FieldLayout], list[str]],
     position: str,
 ) -> list[str]:
-    """A `switch` with the statements for each type of a field, by the number of its selector."""
+    """A `switch` with the statements for each type of a field, by the number of its selector or some bits of it."""
     suffix = "n" if slot_of(selector, names).wide else ""
-    lines = [f"switch ({number}) {{"]
+    bits = number if field.deciding_bits is None else f"({number} & {field.deciding_bits}) >>> 0"
+    lines = [f"switch ({bits}) {{"]
     for case in field.cases:
         labels = " ".join(f"case {own}{suffix}:" for own in sorted(case.numbers))
         statements = branch(field.forms[min(case.numbers)])

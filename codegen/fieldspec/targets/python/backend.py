@@ -55,6 +55,7 @@ RUNTIME = (
     "_framers",
     "_frames",
     "_inner_lists",
+    "_list_parts",
     "_mark_framer",
     "_parameters",
     "_part_frames",

@@ -61,7 +61,8 @@ def _packing(packing: Packing) -> str:
 def _decision(decision: Decision) -> str:
     """`_Decision("kind", 0, 1, "big", {1: 2})`: what decides the size of the only element."""
     place = f"{decision.offset}, {decision.size}, {literal(decision.order)}"
-    return f"_Decision({literal(decision.name)}, {place}, {dict(decision.sizes)})"
+    mask = f", {decision.mask}" if decision.mask is not None else ""
+    return f"_Decision({literal(decision.name)}, {place}, {dict(decision.sizes)}{mask})"
 
 
 def _parts(parts: InnerLists) -> str:

@@ -301,7 +301,8 @@ def cases_lines(variable: str, field: Slots) -> list[str]:
     ]
     selector = field.field.selector
     assert selector is not None
-    return filled(f"{variable} = _Cases(", [literal(selector.name), *cases], ")", 0)
+    mask = [f"mask={field.field.deciding_bits}"] if field.field.deciding_bits is not None else []
+    return filled(f"{variable} = _Cases(", [literal(selector.name), *cases, *mask], ")", 0)
 
 
 def decided_read(decided: Slots, owner: str, offset: int) -> list[str]:

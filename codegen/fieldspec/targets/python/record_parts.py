@@ -146,7 +146,7 @@ def _type_doc(field: Slots) -> str:
     has_class = field.field.record is not None or field.decided or field.value.enum or field.value.flags
     type_text = field.element_type if has_class else field.value.type.name
     if field.field.field.choice is not None:
-        type_text += f", as `{field.field.field.choice.by}` says"
+        type_text += f", as `{field.field.field.choice.subject}` says"
     if field.field.field.presence is not None:
         type_text += f", if {field.field.field.presence.condition}"
     if field.field.field.continuation is not None:

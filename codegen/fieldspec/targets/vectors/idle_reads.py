@@ -193,8 +193,8 @@ def _idle_record(device: Device, record: RecordLayout) -> dict[str, Raw]:
         return {**_idle_record(device, chosen), record.selector.name: number}
     values: dict[str, Raw] = {}
     for field in record.fields:
-        if field.selector is not None and field.form_of(values[field.selector.name]) is None:
-            values[field.selector.name] = min(field.forms)
+        if field.selector is not None:
+            values[field.selector.name] = field.deciding(values)
         if field.field.measures is None:
             decided = record.decided_by(values).fields[record.fields.index(field)]
             values[field.name] = _idle_field(device, decided, field.least_count(values))

@@ -240,8 +240,8 @@ class BodyReader:
         assert value is not None
         key = self.decoders.place(value, layout.order, layout.swapped, layout.field.reserved)
         place = offsets[rows] + (0 if index is None else index * slot.field.size)
-        for start, selector, numbers in slot.numbers:
-            is_chosen = np.isin(_number(selector, buffer, place + start), sorted(numbers))
+        for start, field, numbers in slot.numbers:
+            is_chosen = np.isin(_deciding(field, buffer, place + start), sorted(numbers))
             rows, place = rows[is_chosen], place[is_chosen]
             index = index if index is None else index[is_chosen]
             if not len(rows):
@@ -361,6 +361,13 @@ def _has_element(buffer: Bytes, offsets: Numbers, inner: InnerList, number: int)
 def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
     """The numbers of a field of records that begin at some places."""
     return number_at(buffer, offsets + field.offset, field.size, field.order, swapped=field.swapped)
+
+
+def _deciding(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
+    """The numbers that decide the type of a field of such records."""
+    assert field.selector is not None
+    number = _number(field.selector, buffer, offsets)
+    return number if field.deciding_bits is None else number & field.deciding_bits
 
 
 def _joined(images: Sequence[bytes]) -> tuple[Bytes, Numbers]:

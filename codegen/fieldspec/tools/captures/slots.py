@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout, inner_lists_of
+from fieldspec.codec.layout.list_places import inner_lists_of
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import extents
 from fieldspec.foundation.classes import dataclass, replace
 
@@ -17,7 +18,8 @@ class Slot:
     In a record that differs in size, it is an element of some lists: `places` are these, each with the offset of the
     record that says how many elements it has and with the number of the element. For a counted text, `text` are its
     bytes as a list.
-    It is only in bodies in which each of some selectors, with the offsets of their records, has one of some `numbers`.
+    It is only in bodies in which the selectors of some fields, with the offsets of their records, have one of some
+    `numbers`.
     """
 
     path: str
@@ -77,7 +79,7 @@ def _slots_of_cases(
     assert field.selector is not None
     for case in field.cases:
         form = field.forms[min(case.numbers)]
-        numbers = ((start, field.selector, case.numbers),)
+        numbers = ((start, field, case.numbers),)
         yield Slot(path, start + form.offset, form, outer or field, numbers=numbers)
 
 

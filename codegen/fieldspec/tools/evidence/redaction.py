@@ -12,7 +12,8 @@ from typing import Any, Literal
 from fieldspec.codec.explain.registers import Occupant
 from fieldspec.codec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout, inner_lists_of
+from fieldspec.codec.layout.list_places import inner_lists_of
+from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.codec.layout.widths import Extent, Span, WidthError, data_of, image_of
 from fieldspec.codec.reference.frames import Decoded, codec
 from fieldspec.codec.reference.parameters import stated_bytes

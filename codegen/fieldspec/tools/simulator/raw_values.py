@@ -73,8 +73,8 @@ def decided_fields(record: RecordLayout, values: MutableMapping[str, Any]) -> It
     selector that decides nothing is set to a number that decides a type.
     """
     for index, field in enumerate(record.fields):
-        if field.selector is not None and field.form_of(values[field.selector.name]) is None:
-            values[field.selector.name] = min(field.forms)
+        if field.selector is not None:
+            values[field.selector.name] = field.deciding(values)
         yield record.decided_by(values).fields[index] if field.cases else field
 
 

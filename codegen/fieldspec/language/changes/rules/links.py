@@ -257,12 +257,12 @@ def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
         old, new = bits_text(comparison, holder_path, pair.old, key), bits_text(None, holder_path, pair.new, key)
         if old != new:
             yield _role_text(pair, key, subject, old, new)
-    selector = comparison.renamed_to(holder_path, pair.old.choice.by) if pair.old.choice else ""
-    if pair.old.choice and pair.new.choice and selector != pair.new.choice.by:
-        yield _role_text(pair, "choice", "what decides its type", selector, pair.new.choice.by)
-    same = (
-        comparison.renamed_to(holder_path.rpartition("/")[0] + "/request", pair.old.same_as) if pair.old.same_as else ""
-    )
+    if pair.old.choice and pair.new.choice:
+        old = replace(pair.old.choice, by=comparison.renamed_to(holder_path, pair.old.choice.by)).subject
+        if old != pair.new.choice.subject:
+            yield _role_text(pair, "choice", "what decides its type", old, pair.new.choice.subject)
+    request_path = holder_path.rpartition("/")[0] + "/request"
+    same = pair.old.same_as and comparison.renamed_to(request_path, pair.old.same_as)
     if same != pair.new.same_as:
         text = f"{named(pair.new)}: {difference_text('the field that it repeats', same, pair.new.same_as)}"
         yield change("role_changed", Effect.BEHAVIOUR, pair, "same_as", text, same, pair.new.same_as)

@@ -111,9 +111,11 @@ def case_changed(comparison: Comparison) -> Iterator[Change]:
 
 def _enum(comparison: Comparison, field: Field) -> str:
     """The name of the old enum whose members the cases name."""
-    selector = field.choice.by if field.choice else ""
-    values = (field.value for field in fields_beside(field, comparison.old) if field.name == selector)
-    return next((value.enum for value in values if value is not None), "")
+    choice = field.choice
+    if choice is None:
+        return ""
+    selector = next((own for own in fields_beside(field, comparison.old) if own.name == choice.by), None)
+    return choice.enum_of(selector, comparison.old.flags)
 
 
 def count_changed(comparison: Comparison) -> Iterator[Change]:

@@ -150,7 +150,7 @@ def _choice(entry: Entry, field: Entry) -> Choice:
         Case(**inner.fact(), when=inner.texts("when"), value=value(inner))
         for inner in entry.entries("cases", defaults=shared)
     )
-    return Choice(entry.text("by"), cases)
+    return Choice(entry.text("by"), cases, entry.bit_range("bits"))
 
 
 def _span(text: str) -> tuple[int, int] | None:

@@ -95,7 +95,7 @@ class MessageForm {
   }
 
   takeValues(fields, values, prefix) {
-    for (const field of fields.map((own) => own.forms?.get(BigInt(values.get(own.by) ?? -1)) ?? own)) {
+    for (const field of fields.map((own) => (own.forms && values.has(own.by) && formOfNumber(own, values.get(own.by))) || own)) {
       const raw = values.get(field.name);
       const path = prefix + field.name;
       if (raw === undefined || (!field.value && !field.record)) continue;
@@ -161,7 +161,7 @@ class MessageForm {
     const by = fields.find(({ name }) => name === field.by);
     this.deciding.add(prefix + by.name);
     try {
-      return field.forms.get(BigInt(by.value.const ?? this.rawValue({ path: prefix + by.name, field: by })));
+      return formOfNumber(field, by.value.const ?? this.rawValue({ path: prefix + by.name, field: by }));
     } catch (error) {
       if (!(error instanceof CodecError)) throw error;
       return undefined;

@@ -180,7 +180,12 @@ export function memberOf(listing, number) {
 export function formOfField(record, field, values) {
   if (!field.forms) return field;
   const number = values.get(field.by) ?? record.named.get(field.by).value.const;
-  return number === undefined ? undefined : field.forms.get(BigInt(number));
+  return number === undefined ? undefined : formOfNumber(field, number);
+}
+
+/** The form of a field that a number, or some bits of it, decides; undefined if it decides none. */
+export function formOfNumber({ forms, mask }, number) {
+  return forms.get(mask === undefined ? BigInt(number) : BigInt(number) & BigInt(mask));
 }
 
 /** The form of a record for some data: the record itself, or what its selector decides; undefined if it decides none. */

@@ -56,12 +56,12 @@ export function elementsInImage({ element, most, more }, image, start) {
 }
 
 /** The bytes of an element that another field decides; undefined where that decides nothing. */
-function decidedBytes({ at, length, little, sizes }, bytes) {
+function decidedBytes({ at, length, little, mask, sizes }, bytes) {
   let number = 0n;
   for (let place = 0; place < length; place++) {
     number = (number << 8n) | BigInt(bytes[at + (little ? length - 1 - place : place)]);
   }
-  return sizes[String(number)];
+  return sizes[String(mask === undefined ? number : number & BigInt(mask))];
 }
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
