@@ -38,12 +38,14 @@ def all_layouts() -> list[DeviceLayout]:
 
 
 def has_digits(layout: DeviceLayout) -> bool:
-    """Whether numbers of a device are sent as digits, packed into bits, optional or counted in bits, which several
-    outputs leave out.
+    """Whether numbers of a device are sent as digits, packed into bits, optional or counted in bits, or tell the end
+    of a list, or count bytes of elements that differ in size. Several outputs leave these out.
     """
     bodies = (*layout.records.values(), *(body for message in layout.messages.values() for body in message.bodies))
     fields = [field for body in bodies for field in body.fields]
-    return bool(character_refusals(layout, "")) or any(field.packing or field.presence for field in fields)
+    return bool(character_refusals(layout, "")) or any(
+        field.packing or field.presence or field.continuation or field.counts_sent for field in fields
+    )
 
 
 def newest(root: Path, device: str) -> DeviceLayout:
