@@ -82,7 +82,7 @@ class DeviceLayout:
     blocks: BlockChoice | None = None
 
 
-LAYOUT_ATTRIBUTES = ("links", "messages", "records", "enums", "spaces", "groups", "tables")
+LAYOUT_ATTRIBUTES = ("links", "messages", "records", "enums", "flags", "spaces", "groups", "tables")
 """The attributes of a device from which its layout follows, but for the identity."""
 
 
