@@ -19,9 +19,8 @@ READS = (
 MODEL = "The parsed files and their model occupy 0.8 GB. The text of an output needs further memory."
 WATCH = (
     "A third of the time is for reading, for seventy checks, and for the audit, which checks the device again with "
-    "each misprint. For Python, C, JavaScript and dissectors, a build reuses the texts of unchanged facts. For "
-    "documentation, vectors, queries and PLC blocks, it cannot reuse them, because the text for a fact depends on "
-    "many facts."
+    "each misprint. A build reuses the texts of unchanged facts in code, and of unchanged sections in documentation. "
+    "It cannot reuse the texts of vectors, queries and PLC blocks, because the text for a fact depends on many facts."
 )
 LARGE_SAVE = (
     "Checks of single values and bit fields run again only for changed facts. Checks that compare facts, however, "
