@@ -82,6 +82,8 @@ def values_of(record: RecordLayout, values: Mapping[str, Any]) -> dict[str, Any]
         if not member.key:
             continue
         field, value = member.field, values[member.field.name]
+        if field.selector is not None:
+            field = field.form_of(values[field.selector.name]) or field
 
         def element(item: Any, field: Any = field) -> Any:
             if field.record is not None:
