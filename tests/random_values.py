@@ -26,13 +26,26 @@ def values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[d
 def _values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[dict[str, Any]]:
     if record.selector is not None:
         return _choosing(layout, record, record.selector)
-    return st.fixed_dictionaries(
-        {
-            field.name: _field(layout, field)
-            for field in record.fields
-            if not (field.field.reserved or field.field.measures or (field.value and field.value.const is not None))
-        }
-    )
+    fields = [
+        field
+        for field in record.fields
+        if not (field.field.reserved or field.field.measures or (field.value and field.value.const is not None))
+    ]
+    plain = st.fixed_dictionaries({field.name: _field(layout, field) for field in fields if field.selector is None})
+    choices = [field for field in fields if field.selector is not None]
+    return plain.flatmap(lambda values: _with_choices(layout, choices, values)) if choices else plain
+
+
+def _with_choices(
+    layout: DeviceLayout, choices: list[FieldLayout], values: dict[str, Any]
+) -> st.SearchStrategy[dict[str, Any]]:
+    """Some values, and those of fields whose types they decide; of the first type where they decide none."""
+    decided = {}
+    for field in choices:
+        assert field.selector is not None
+        number = values.get(field.selector.name, field.selector.value.const if field.selector.value else None)
+        decided[field.name] = _field(layout, field.form_of(number) or field.forms[min(field.forms)])
+    return st.fixed_dictionaries({**{name: st.just(value) for name, value in values.items()}, **decided})
 
 
 def _choosing(layout: DeviceLayout, record: RecordLayout, selector: FieldLayout) -> st.SearchStrategy[dict[str, Any]]:
