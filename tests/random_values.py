@@ -31,9 +31,9 @@ def _values_of(layout: DeviceLayout, record: RecordLayout) -> st.SearchStrategy[
         for field in record.fields
         if not (field.field.reserved or field.field.measures or (field.value and field.value.const is not None))
     ]
-    plain = st.fixed_dictionaries({field.name: _field(layout, field) for field in fields if field.selector is None})
+    strategy = st.fixed_dictionaries({field.name: _field(layout, field) for field in fields if field.selector is None})
     choices = [field for field in fields if field.selector is not None]
-    return plain.flatmap(lambda values: _with_choices(layout, choices, values)) if choices else plain
+    return strategy.flatmap(lambda values: _with_choices(layout, choices, values)) if choices else strategy
 
 
 def _with_choices(
