@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import Draft, Spec
-from random_devices.drawn_values import size_of
+from random_devices.drawn_values import size_of, value
 
 
 def presence_decider(draft: Draft) -> tuple[Spec, list[Spec]]:
@@ -51,3 +51,13 @@ def list_counter(draft: Draft, repeated: Spec, measure: Spec, kinds: tuple[str, 
     low = draft.number(0, 8 * size_of({"type": kind}) - width)
     unit = "items" if size == 1 else "bytes"  # the bytes of a record are not known here
     return draft.fact(type=kind, measures={unit: repeated["name"], **plus, "bits": f"{low}..{low + width - 1}"})
+
+
+def optional_field(draft: Draft, presence: Spec) -> Spec:
+    """A field that another one says is sent or not."""
+    nested = [*(record.name for record in draft.records if not record.apart), *draft.differing]
+    if nested and draft.chance(20):
+        return draft.fact(record=draft.pick(nested), present_if=presence)
+    keys = value(draft, "field")
+    keys = {key: own for key, own in keys.items() if key not in ("const", "default", "unit_default", "parameter")}
+    return draft.fact(**keys, present_if=presence)

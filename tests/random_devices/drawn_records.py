@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from random_devices.draft import BOUNDS, SIZES, Draft, EnumDraft, RecordDraft, Spec
-from random_devices.drawn_presences import continued_list, list_counter, more_ways, presence_decider
+from random_devices.draft import BOUNDS, Draft, RecordDraft, Spec
+from random_devices.drawn_choices import closed_enums, deciding_fields
+from random_devices.drawn_presences import continued_list, list_counter, more_ways, optional_field, presence_decider
 from random_devices.drawn_values import packed_list, size_of, value, varying_text, varying_value
 
 
@@ -28,7 +29,7 @@ def _differing_record(draft: Draft) -> Spec:
             fields = [*_inserted(draft, fields, _count_of(draft, text)), text, *_behind(draft)]
     else:
         for _ in range(draft.number(1, 2)):
-            if _closed_enums(draft) and draft.chance(50):
+            if closed_enums(draft) and draft.chance(50):
                 fields = _choice_between(draft, fields)
                 continue
             if draft.chance(25):
@@ -337,74 +338,19 @@ def _inserted(draft: Draft, fields: list[Spec], field: Spec) -> list[Spec]:
     return [*fields[:at], field, *fields[at:]]
 
 
-def _closed_enums(draft: Draft) -> list[EnumDraft]:
-    """The enums that may decide the type of a field."""
-    return [e for e in draft.enums if len(e.members) > 1 and all(0 <= n <= 0xFFFF for n in e.members.values())]
-
-
-def _deciding(draft: Draft) -> tuple[Spec, Spec] | None:
-    """A field with an enum, maybe in some of its bits, and one whose type that decides; None where no enum can."""
-    words = _deciding_bits(draft)
-    if words and draft.chance(60):
-        word, bits, enum = draft.pick(words)
-        selector = draft.fact(type=draft.flags[word], flags=word)
-        return selector, draft.fact(choice={"by": selector["name"], "bits": bits, "cases": _cases(draft, enum)})
-    closed = _closed_enums(draft)
-    if not closed:
-        return None
-    enum = draft.pick(closed)
-    wide = any(n > 0xFF for n in enum.members.values())
-    kind = draft.pick(("u16", "u32")) if wide else draft.pick(("u8", "u16"))
-    selector = draft.fact(type=kind, enum=enum.name)
-    return selector, draft.fact(choice={"by": selector["name"], "cases": _cases(draft, enum)})
-
-
-def _deciding_bits(draft: Draft) -> list[tuple[str, str, EnumDraft]]:
-    """Words with some bits whose enum may decide the type of a field."""
-    enums = {enum.name: enum for enum in draft.enums if len(enum.members) > 1}
-    return [
-        (word["name"], bit["bits"], enums[bit["enum"]])
-        for word in draft.spec.get("flags", ())
-        if SIZES[word["type"]] <= 4 and "bit_0" not in word
-        for bit in word["bits"]
-        if bit.get("enum") in enums and "bits" in bit and "," not in bit["bits"] and not BOUNDS & set(bit)
-    ]
-
-
-def _cases(draft: Draft, enum: EnumDraft) -> list[Spec]:
-    """Types for the members of an enum."""
-    left = list(enum.members)
-    cases = []
-    while left and len(cases) < 4:
-        width = draft.number(1, 2)
-        cases.append(draft.fact(when=left[:width], **value(draft, "case")))
-        left = left[width:]
-    return cases
-
-
 def _choice_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
     """Fields with one behind them whose type another one decides, and some behind that, now and then."""
-    decided = _deciding(draft)
+    decided = deciding_fields(draft)
     if decided is None:
         return fields
     selector, choice = decided
     return [*_inserted(draft, fields, selector), choice, *_behind(draft)]
 
 
-def _optional(draft: Draft, presence: Spec) -> Spec:
-    """A field that another one says is sent or not."""
-    nested = [*(record.name for record in draft.records if not record.apart), *draft.differing]
-    if nested and draft.chance(20):
-        return draft.fact(record=draft.pick(nested), present_if=presence)
-    keys = value(draft, "field")
-    keys = {key: own for key, own in keys.items() if key not in ("const", "default", "unit_default", "parameter")}
-    return draft.fact(**keys, present_if=presence)
-
-
 def _optional_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
     """Fields with the one that decides on optional ones behind them, and some behind these, now and then."""
     decider, ways = presence_decider(draft)
-    optional = [field for way in ways for field in [_optional(draft, way), *_behind(draft)]]
+    optional = [field for way in ways for field in [optional_field(draft, way), *_behind(draft)]]
     return [*_inserted(draft, fields, decider), *optional]
 
 
@@ -424,7 +370,7 @@ def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
         repeated = _repeated(draft, fields)
         lists = [_counter(draft, repeated, ("u8",)), repeated] if draft.chance(30) else []
         return _choice_between(draft, [*fields, *lists])
-    decided = _deciding(draft)
+    decided = deciding_fields(draft)
     if decided is None:
         return fields
     selector, last = decided

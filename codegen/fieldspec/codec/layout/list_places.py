@@ -58,11 +58,11 @@ def _decision(field: FieldLayout, selector: FieldLayout, offset: int) -> Decisio
 
 def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
     """A list with the field that counts it, which is at an offset in the image."""
-    measures, own = count.field.measures, count.measure
-    assert measures is not None
-    assert own is not None
-    inner = replace(_with_number_at(inner, count, offset), sent_plus=measures.plus if count.counts_sent else None)
-    return replace(inner, unit=own.unit(inner.element), plus=own.plus)
+    stated, measure = count.field.measures, count.measure
+    assert stated is not None
+    assert measure is not None
+    inner = replace(_with_number_at(inner, count, offset), sent_plus=stated.plus if count.counts_sent else None)
+    return replace(inner, unit=measure.unit(inner.element), plus=measure.plus)
 
 
 def _with_number_at(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:

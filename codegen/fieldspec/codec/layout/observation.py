@@ -22,8 +22,9 @@ def _with_link(layout: LinkLayout, link: Link) -> LinkLayout:
     """The layout of an observed link. The attributes that a link has and other facts lack count as read."""
     for name in {*attributes(Link)}.difference(attributes(Fact)):
         getattr(link, name)
-    own = layout.link  # of remote requests it has other parts
-    return replace(layout, link=replace(link, request=own.request, response=own.response, escape=own.escape))
+    # The layout of remote requests has other parts than its link states.
+    parts = {name: getattr(layout.link, name) for name in ("request", "response", "escape")}
+    return replace(layout, link=replace(link, **parts))
 
 
 def read_of_layout(layout: DeviceLayout) -> dict[str, object]:

@@ -76,8 +76,8 @@ class FieldLayout:
     @property
     def measure(self) -> Measure | None:
         """Its measure in an image, where elements that differ in size are counted in place of their bytes."""
-        own = self.field.measures
-        return replace(own, of="items", plus=0) if own is not None and self.counts_sent else own
+        measure = self.field.measures
+        return replace(measure, of="items", plus=0) if measure is not None and self.counts_sent else measure
 
     @property
     def carries_bytes(self) -> bool:

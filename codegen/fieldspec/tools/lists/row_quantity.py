@@ -215,8 +215,8 @@ def _described(text: str, decimal: str) -> Quantity | None:
     if (fraction := _FRACTION.search(text)) and (unit := known_unit(fraction[2].strip(".,;)"))):
         return Quantity(Fraction(1, 10 if fraction[1] else 100), unit if unit != "°" else "")
     scaled_pieces = [unit_cell(piece, decimal) for piece in pieces] if len(pieces) > 1 else []
-    known = [piece for piece in scaled_pieces if piece is not None and piece.unit == known_unit(piece.unit)]
-    powers = [piece for piece in known if _is_power(piece)]
+    known_pieces = [piece for piece in scaled_pieces if piece is not None and piece.unit == known_unit(piece.unit)]
+    powers = [piece for piece in known_pieces if _is_power(piece)]
     if len(powers) == 1:
         return powers[0]
     if step := _STEP.search(text):

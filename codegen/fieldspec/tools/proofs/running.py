@@ -240,20 +240,20 @@ def without_needed(
 
 def of_versions(by_version: Mapping[str, Sequence[Diagnostic]], versions: Sequence[str]) -> Iterator[Diagnostic]:
     """The findings of some versions, each once. The text of one that not all versions have names those that do."""
-    having: dict[_Key, list[str]] = {}
-    first: dict[_Key, Diagnostic] = {}
+    versions_by_key: dict[_Key, list[str]] = {}
+    findings_by_key: dict[_Key, Diagnostic] = {}
     for findings in by_version.values():
         for finding in findings:
-            first.setdefault(_key(finding), finding)
+            findings_by_key.setdefault(_key(finding), finding)
     for version in versions:
         for key in {_key(finding): None for finding in by_version[version]}:
-            having.setdefault(key, []).append(version)
-    for key, finding in first.items():
-        own = having[key]
-        if len(own) == len(versions):
+            versions_by_key.setdefault(key, []).append(version)
+    for key, finding in findings_by_key.items():
+        holders = versions_by_key[key]
+        if len(holders) == len(versions):
             yield finding
         else:
-            yield replace(finding, message=f"{finding.message} (in {enumeration(own)})")
+            yield replace(finding, message=f"{finding.message} (in {enumeration(holders)})")
 
 
 def _key(finding: Diagnostic) -> _Key:

@@ -262,10 +262,10 @@ def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
         if old != pair.new.choice.subject:
             yield _role_text(pair, "choice", "what decides its type", old, pair.new.choice.subject)
     request_path = holder_path.rpartition("/")[0] + "/request"
-    same = pair.old.same_as and comparison.renamed_to(request_path, pair.old.same_as)
-    if same != pair.new.same_as:
-        text = f"{named(pair.new)}: {difference_text('the field that it repeats', same, pair.new.same_as)}"
-        yield change("role_changed", Effect.BEHAVIOUR, pair, "same_as", text, same, pair.new.same_as)
+    repeated_name = pair.old.same_as and comparison.renamed_to(request_path, pair.old.same_as)
+    if repeated_name != pair.new.same_as:
+        text = f"{named(pair.new)}: {difference_text('the field that it repeats', repeated_name, pair.new.same_as)}"
+        yield change("role_changed", Effect.BEHAVIOUR, pair, "same_as", text, repeated_name, pair.new.same_as)
 
 
 def _measure(measure: Measure | None) -> str:

@@ -216,9 +216,9 @@ def _unit_addresses(entry: Entry, reused: Reused) -> UnitAddresses | None:
     addresses = entry.entry("unit_addresses")
     if addresses is None:
         return None
-    same = reused.setdefault((addresses.path, addresses.section, addresses.sources), ByIdentity())
-    if addresses.node in same:
-        return cast("UnitAddresses", same[addresses.node])
+    by_node = reused.setdefault((addresses.path, addresses.section, addresses.sources), ByIdentity())
+    if addresses.node in by_node:
+        return cast("UnitAddresses", by_node[addresses.node])
     before = len(entry.findings)
     result = UnitAddresses(
         place=addresses.place(),
@@ -229,7 +229,7 @@ def _unit_addresses(entry: Entry, reused: Reused) -> UnitAddresses | None:
         sources=addresses.sources,
     )
     if len(entry.findings) == before:  # a finding is for every version
-        same[addresses.node] = result
+        by_node[addresses.node] = result
     return result
 
 

@@ -109,15 +109,15 @@ def _each(
     statements_of: Callable[[Holder, Expression | None], list[Statement]],
 ) -> list[Statement]:
     """The statements for a field: once, or for each of its elements in a loop."""
-    first = holder.behind(field.offset)
+    element = holder.behind(field.offset)
     if not field.is_list:
-        return statements_of(first, target)
+        return statements_of(element, target)
     assert target is not None
-    start, step = first.index(), field.size // holder.unit
+    start, step = element.index(), field.size // holder.unit
     if start is None or field.size % holder.unit:
         assert count is None
         positions = range(field.count or 1)
-        elements = [statements_of(first.behind(number * field.size), target.element(number)) for number in positions]
+        elements = [statements_of(element.behind(number * field.size), target.element(number)) for number in positions]
         return [statement for statements in elements for statement in statements]
     index = _free_index(draft, target)
     start_index: Expression = start.combined("+", index.combined("*", step) if step > 1 else index)

@@ -343,9 +343,9 @@ class CyclicTask:
             settled = draft.timer("fbSteady", steady, "SettlingTime", _SETTLE, remark)
             at_speed = draft.declare("InVelocity", steady.type, "output", "the commanded speed is reached")
             place, _ = self.places.place(reached[0])
-            same = every([target.compared("=", raw) for target, raw in self.setpoints])
+            is_unchanged = every([target.compared("=", raw) for target, raw in self.setpoints])
             following = [
-                Assignment(steady, same),
+                Assignment(steady, is_unchanged),
                 *following,
                 Assignment(at_speed, every([steady, settled, self.conditions.has(reached[0], (True,), place)])),
             ]
