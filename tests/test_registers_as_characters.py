@@ -46,7 +46,7 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_an_explanation_shows_the_registers_and_their_characters(run: CommandLine) -> None:
     lines = f"{REQUEST.hex()}\n{RESPONSE.hex()}\n".encode()
-    result = run("decode", "ladder", "-", "--link", "host", stdin=lines)
+    result = run("decode", "ladder", "-", "--link", "area", stdin=lines)
     rows = [" ".join(line.split()) for line in result.lines if line.startswith("0x000")]
     assert rows == [
         "0x0001 2 distance ro 6 L4",
@@ -58,7 +58,7 @@ def test_an_explanation_shows_the_registers_and_their_characters(run: CommandLin
 
 def test_registers_after_a_wrong_character_have_no_value(run: CommandLine) -> None:
     frame = sealed("@10WR000005DC0001zz01").hex()
-    result = run("decode", "ladder", frame, "--link", "host", "--direction", "request")
+    result = run("decode", "ladder", frame, "--link", "area", "--direction", "request")
     assert result.code == 1
     rows = [" ".join(line.split()) for line in result.lines if line.startswith("0x000")]
     assert rows == ["0x0000 1 30 35 44 43 target_speed rw 1500 1500 rpm 6 L3", "0x0001 2 distance ro 6 L4"]
@@ -72,7 +72,7 @@ def test_captures_have_the_registers_of_characters() -> None:
         Sent(0, "response", DAMAGED),
         Sent(0, "request", sealed("@10WR000005DC")),
     ]
-    batches = bulk.decoded(LAYOUT, sent, Choices(link="host"))
+    batches = bulk.decoded(LAYOUT, sent, Choices(link="area"))
     assert bulk.verdicts(batches) == ["ok", "ok", "ok", "unknown_value", "ok"]
     values = [(value.register, value.raw) for value in bulk.values(batches) if value.operation]
     assert values == [("distance", 100000), ("mode", 1), ("target_speed", 1500)]
@@ -80,14 +80,14 @@ def test_captures_have_the_registers_of_characters() -> None:
 
 def test_a_client_reads_and_writes_registers_by_name(capsys: pytest.CaptureFixture[str]) -> None:
     client_module = importlib.import_module(f"{LADDER.__package__}.client")
-    with simulation("ladder", ports={"host": "tcp://127.0.0.1:0"}, unit_address=3, folder=FOLDER) as device:
+    with simulation("ladder", ports={"area": "tcp://127.0.0.1:0"}, unit_address=3, folder=FOLDER) as device:
         host, port = device.place.removeprefix("tcp://").split(":")
         with runtime("transports").tcp(host, int(port)) as transport:
-            client = client_module.Client(transport, link="host", unit_address=3)
+            client = client_module.Client(transport, link="area", unit_address=3)
             client.write(LADDER.TARGET_SPEED, 2500)
             client.write(LADDER.TENSION, 1.5)
             assert (client.read(LADDER.TARGET_SPEED), client.read(LADDER.TENSION)) == (2500, 1.5)
-        more = ["--link", "host", "--port", device.place, "--unit", "3", "--specs", FOLDER]
+        more = ["--link", "area", "--port", device.place, "--unit", "3", "--specs", FOLDER]
         assert main(["live", "ladder", "read", "target_speed", "tension", *more]) == 0
     output = capsys.readouterr().out
     assert "2500 rpm" in output
@@ -110,10 +110,10 @@ def test_javascript_makes_the_requests_for_registers_and_reads_their_values() ->
 
 
 def test_redaction_keeps_known_registers_and_drops_unknown_ones() -> None:
-    link = codec(LAYOUT).links["host"]
+    link = codec(LAYOUT).links["area"]
     frame = sealed("@10WR0005000011112222")
-    clean = Redaction(LAYOUT, Secrets()).frame("host", "request", frame, link.decode(frame, "request"), {})
+    clean = Redaction(LAYOUT, Secrets()).frame("area", "request", frame, link.decode(frame, "request"), {})
     assert link.decode(clean, "request").values["area_words"] == [0, 0, 0]
     frame = sealed("@10WR000005DC")
-    clean = Redaction(LAYOUT, Secrets()).frame("host", "request", frame, link.decode(frame, "request"), {})
+    clean = Redaction(LAYOUT, Secrets()).frame("area", "request", frame, link.decode(frame, "request"), {})
     assert clean == frame

@@ -133,12 +133,12 @@ def accessed_spans(
             continue
         is_carried = is_single or (access.operation == "read") == is_response
         field = record.named(access.values) if is_carried else None
-        offset, sent = (field.offset, data[field.offset : field.end]) if field is not None else (0, b"")
-        carried = word_bytes(field, sent) if field is not None else b""
+        offset, content = (field.offset, data[field.offset : field.end]) if field is not None else (0, b"")
+        carried = word_bytes(field, content) if field is not None else b""
         # The request of what a response answers may have fields of the same names as the response.
         own = values if is_single or not is_response else {}
         span = accessed(layout.device, access, own, request_values or {}, start + offset, carried)
         if span is not None and field is not None and has_word_digits(field):
-            span = replace(span, digits=sent)
+            span = replace(span, digits=content)
         if span is not None:
             yield access, span

@@ -11,17 +11,17 @@ def has_word_digits(field: FieldLayout) -> bool:
     return field.value is not None and bool(field.value.digits)
 
 
-def word_bytes(field: FieldLayout, sent: bytes) -> bytes:
-    """The bytes of the words in a field whose bytes are `sent`, up to the first word with other characters."""
+def word_bytes(field: FieldLayout, data: bytes) -> bytes:
+    """The bytes of the words in the `data` of a field, up to the first word with other characters."""
     if field.value is None or not field.value.digits:
-        return sent
+        return data
     letters = digits_letters(field.value)
-    length = next((offset for offset, letter in enumerate(sent) if letter not in letters), len(sent))
-    return bytes.fromhex(sent[: length // field.size * field.size].decode("ascii"))
+    length = next((offset for offset, letter in enumerate(data) if letter not in letters), len(data))
+    return bytes.fromhex(data[: length // field.size * field.size].decode("ascii"))
 
 
-def sent_words(field: FieldLayout, content: bytes) -> bytes:
-    """What is sent in a field for the bytes of words: the opposite of `word_bytes`."""
+def field_bytes(field: FieldLayout, content: bytes) -> bytes:
+    """The data of a field for the bytes of its words: the opposite of `word_bytes`."""
     if field.value is None or not field.value.digits:
         return content
     text = content.hex()

@@ -11,13 +11,12 @@ import numpy.typing as npt
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.codec.layout.repeated_parts import repeated_parts
-from fieldspec.codec.layout.word_digits import has_word_digits
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.captures.columns import Mask, Numbers, number_at, numbers, runs
 from fieldspec.tools.captures.cutting import Cutter, Piece
 from fieldspec.tools.captures.frame_reading import FrameReader, ReadFrames
 from fieldspec.tools.captures.pairing import NO_EXCHANGES, NONE, Exchanges, joined, paired, still_open
-from fieldspec.tools.captures.part_numbers import field_numbers, part_numbers, word_buffer
+from fieldspec.tools.captures.part_numbers import field_numbers, part_numbers, with_word_bytes
 from fieldspec.tools.captures.payloads import DATAGRAM, REQUEST, RESPONSE, STREAM, UNKNOWN, Payloads, payloads_of
 from fieldspec.tools.captures.register_columns import Accesses
 from fieldspec.tools.captures.verdicts import MISMATCH, NO_FRAME, NO_REQUEST, OK
@@ -351,12 +350,7 @@ class LinkFrames:
             bits = (rows.set_bit[own] == 1).astype(np.uint8)
             data = np.where(single, len(buffer) + np.arange(len(own)), data)
             buffer, available = np.concatenate([buffer, bits]), np.where(single, 1, available)
-        for place, field in messages.items():
-            carried = np.flatnonzero(rows.message[own] == place)
-            if has_word_digits(field) and len(carried):
-                words, starts, sizes = word_buffer(field, buffer, data[carried], available[carried])
-                data[carried], available[carried] = len(buffer) + starts, sizes
-                buffer = np.concatenate([buffer, words])
+        buffer = with_word_bytes(messages, rows.message[own], buffer, data, available)
         writes = np.full(len(own), is_write)
         return buffer, Accesses(own, rows.address[own], rows.count[own], data, available, writes)
 

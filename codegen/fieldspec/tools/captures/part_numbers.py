@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout
+from fieldspec.codec.layout.word_digits import has_word_digits
 from fieldspec.language.model.digits import digits_letters
 from fieldspec.language.model.encoding import sign_of
 from fieldspec.language.model.value import Value
@@ -27,8 +30,24 @@ def field_numbers(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Number
     return _number(field.value, field.size, buffer, offsets)
 
 
-def word_buffer(field: FieldLayout, buffer: Bytes, starts: Numbers, sizes: Numbers) -> tuple[Bytes, Numbers, Numbers]:
-    """The bytes of words that are sent as hexadecimal digits, where those of each frame begin, and how many there are.
+def with_word_bytes(
+    fields: Mapping[int, FieldLayout], messages: Numbers, buffer: Bytes, starts: Numbers, sizes: Numbers
+) -> Bytes:
+    """A buffer that also has the bytes of words that some frames carry as hexadecimal digits.
+
+    `fields` have the words, by message. `starts` and `sizes` of the data of these frames then concern the bytes.
+    """
+    for message, field in fields.items():
+        rows = np.flatnonzero(messages == message)
+        if has_word_digits(field) and len(rows):
+            words, own_starts, own_sizes = _word_buffer(field, buffer, starts[rows], sizes[rows])
+            starts[rows], sizes[rows] = len(buffer) + own_starts, own_sizes
+            buffer = np.concatenate([buffer, words])
+    return buffer
+
+
+def _word_buffer(field: FieldLayout, buffer: Bytes, starts: Numbers, sizes: Numbers) -> tuple[Bytes, Numbers, Numbers]:
+    """The bytes of words that are sent as hexadecimal digits; where the bytes of each frame begin, and their number.
 
     Words count up to the first one with other characters.
     """
