@@ -159,9 +159,8 @@ class Captures:
         if reason:
             assert row["verdict"] == reason, f"{name} {data.hex(' ')} is {row['verdict']}, not {reason}"
             return
-        if own.reserved and isinstance(raw, str):
-            raw = data[: value.size]
-        leaf = Leaf(name, own.value, raw, register.order, register.swapped, own.reserved)
+        is_reserved = own.reserved and not isinstance(raw, str)
+        leaf = Leaf(name, own.value, raw, register.order, register.swapped, is_reserved)
         assert_row(self.layout.device, f"{name} {data.hex(' ')}", leaf, row, own.trigger)
 
     # Tables
