@@ -196,8 +196,9 @@ class BodyReader:
                 else:
                     rows, index = np.flatnonzero(field.offset + field.size * field.count <= size), None
                     blame(verdict, field.offset + field.size * field.count > size, INCOMPLETE)
-                assert slot.layout.value is not None
-                judged = slot.layout.value.const is not None or bool(slot.layout.value.enum)
+                value = slot.layout.value
+                assert value is not None
+                judged = value.const is not None or bool(value.enum or value.digits)
                 if len(rows) and (self.emits or judged):
                     elements += self._slot(slot, buffer, offsets, rows, index, verdict)
                 self._measure(slot, buffer, offsets, size, counts, verdict)
