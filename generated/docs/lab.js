@@ -2231,8 +2231,8 @@ function forbiddenText(operation, access) {
 }
 
 class AddressSpan {
-  constructor(space, address, words, at, data, bits = null, unitSize = 2) {
-    Object.assign(this, { space: space ?? "", address, words, at, data, bits, unitSize, end: address + words });
+  constructor(space, address, words, at, data, bits = null, unitSize = 2, digits = null) {
+    Object.assign(this, { space: space ?? "", address, words, at, data, bits, unitSize, digits, end: address + words });
   }
 
   get unit() {
@@ -2244,8 +2244,9 @@ class AddressSpan {
     if (this.bits !== null) return this.bitPiece(address - this.address);
     const start = this.unitSize * (address - this.address) + skip;
     if (start < 0 || start + size > this.data.length) return undefined;
-    const raw = this.data.subarray(start, start + size);
-    return { at: this.at + start, raw, content: raw };
+    const content = this.data.subarray(start, start + size);
+    if (this.digits) return { at: this.at + 2 * start, raw: this.digits.subarray(2 * start, 2 * (start + size)), content };
+    return { at: this.at + start, raw: content, content };
   }
 
   bitPiece(index) {
@@ -2256,7 +2257,7 @@ class AddressSpan {
   }
 }
 
-function accessedSpan(access, values, asked, at, data) {
+function accessedSpan(access, values, asked, at, data, digits) {
   const value = (name) => (values.has(name) ? values.get(name) : asked.get(name));
   const start = value(access.start);
   if (!isWhole(start ?? "")) return null;
@@ -2269,8 +2270,16 @@ function accessedSpan(access, values, asked, at, data) {
   const carried = isBits ? 8 * data.length : Math.floor(data.length / size);
   const count = access.count ? value(access.count) : isBits ? 1 : Math.max(carried, 1);
   const words = isWhole(count ?? "") ? Number(count) : carried;
-  if (!isBits) return spanOf(words, at, data.subarray(0, carried * size), null, size);
+  if (!isBits) return spanOf(words, at, data.subarray(0, carried * size), null, size, digits);
   return spanOf(words, at, data, Array.from({ length: Math.min(words, carried) }, (_, index) => (data[index >> 3] >> (index & 7)) & 1));
+}
+
+function wordBytes({ value, size }, digits) {
+  const letters = value.digits === "upper_hex" ? "0123456789ABCDEF" : "0123456789abcdef";
+  const numbers = Array.from(digits, (byte) => letters.indexOf(String.fromCharCode(byte)));
+  const wrong = numbers.indexOf(-1);
+  const length = wrong < 0 ? digits.length : wrong;
+  return Uint8Array.from({ length: (Math.floor(length / size) * size) / 2 }, (_, index) => 16 * numbers[2 * index] + numbers[2 * index + 1]);
 }
 
 function accessedSpans({ access: single, steps }, record, start, data, values, asked) {
@@ -2278,8 +2287,10 @@ function accessedSpans({ access: single, steps }, record, start, data, values, a
     if (!access || (asked && !single && access.operation === "write")) return [];
     const field = single || (access.operation === "read") === Boolean(asked) ? record.named.get(access.values) : undefined;
     const { offset = 0, size = 0, count } = field ?? { count: 0 };
-    const carried = data.subarray(offset, count === undefined ? data.length : offset + size * count);
-    const span = accessedSpan(access, single || !asked ? values : NOTHING, asked ?? NOTHING, start + offset, carried);
+    const sent = data.subarray(offset, count === undefined ? data.length : offset + size * count);
+    const digits = field?.value?.digits ? sent : null;
+    const carried = digits ? wordBytes(field, digits) : sent;
+    const span = accessedSpan(access, single || !asked ? values : NOTHING, asked ?? NOTHING, start + offset, carried, digits);
     return span ? [[access, span]] : [];
   });
 }
@@ -4096,6 +4107,7 @@ async function copyText(text, button) {
 
 
 const COLUMNS = ["At", "Bytes", "Field", "Label", "Raw", "Value", "Meaning", "Check", "Manual"];
+const CHARACTER_DIGITS = new Set(["decimal", "upper_hex", "lower_hex"]);
 const REGISTER_COLUMNS = ["Address", "Bytes", "Register", "Label", "Raw", "Value", "Meaning", "Check", "Manual"];
 
 class FrameTable {
@@ -4196,15 +4208,16 @@ class FrameTable {
     const { access, [direction]: record } = device.messages.get(message) ?? {};
     const fields = error ? [] : record?.fields ?? [];
     const isHexadecimal = ({ name, value }) => {
-      if (value?.flags) return true;
+      if (!value || CHARACTER_DIGITS.has(value.digits)) return false;
+      if (value.flags || name === access?.start) return true;
       const row = rows.find(({ path }) => path === name);
-      if (value?.parameter?.[1] !== "number" || !isWhole(row?.number ?? "")) return false;
+      if (value.parameter?.[1] !== "number" || !isWhole(row?.number ?? "")) return false;
       const found = parameterAt(device, value.parameter[0], row.number);
       return !found || Boolean(found.words.digits || found.words.base);
     };
     return {
       hidden: checks.map(({ name }) => name),
-      hexadecimal: [code?.name, access?.start, ...fields.filter(isHexadecimal).map(({ name }) => name)],
+      hexadecimal: [code?.name, ...fields.filter(isHexadecimal).map(({ name }) => name)],
     };
   }
 

@@ -17,11 +17,12 @@ export function forbiddenText(operation, access) {
 /**
  * `words` from `address` on in a space. `data` are their bytes in the frame, at `at` in its parts, or empty. In a space
  * of bits, `words` counts these, and `bits` has those that the frame carries; in other spaces it is null. In a space of bytes, `words` counts
- * these, and an address has a `unitSize` of 1.
+ * these, and an address has a `unitSize` of 1. `digits` are the hexadecimal digits that the frame has for `data`, two for each byte; null if
+ * it has the bytes themselves.
  */
 export class AddressSpan {
-  constructor(space, address, words, at, data, bits = null, unitSize = 2) {
-    Object.assign(this, { space: space ?? "", address, words, at, data, bits, unitSize, end: address + words });
+  constructor(space, address, words, at, data, bits = null, unitSize = 2, digits = null) {
+    Object.assign(this, { space: space ?? "", address, words, at, data, bits, unitSize, digits, end: address + words });
   }
 
   get unit() {
@@ -37,8 +38,9 @@ export class AddressSpan {
     if (this.bits !== null) return this.bitPiece(address - this.address);
     const start = this.unitSize * (address - this.address) + skip;
     if (start < 0 || start + size > this.data.length) return undefined;
-    const raw = this.data.subarray(start, start + size);
-    return { at: this.at + start, raw, content: raw };
+    const content = this.data.subarray(start, start + size);
+    if (this.digits) return { at: this.at + 2 * start, raw: this.digits.subarray(2 * start, 2 * (start + size)), content };
+    return { at: this.at + start, raw: content, content };
   }
 
   bitPiece(index) {
@@ -53,7 +55,7 @@ export class AddressSpan {
  * The words or bits that a message accesses, by its own values or those of the request that it answers; null if
  * unknown. `data` are the bytes of the words, at `at` in the parts.
  */
-function accessedSpan(access, values, asked, at, data) {
+function accessedSpan(access, values, asked, at, data, digits) {
   const value = (name) => (values.has(name) ? values.get(name) : asked.get(name));
   const start = value(access.start);
   if (!isWhole(start ?? "")) return null;
@@ -66,8 +68,17 @@ function accessedSpan(access, values, asked, at, data) {
   const carried = isBits ? 8 * data.length : Math.floor(data.length / size);
   const count = access.count ? value(access.count) : isBits ? 1 : Math.max(carried, 1);
   const words = isWhole(count ?? "") ? Number(count) : carried;
-  if (!isBits) return spanOf(words, at, data.subarray(0, carried * size), null, size);
+  if (!isBits) return spanOf(words, at, data.subarray(0, carried * size), null, size, digits);
   return spanOf(words, at, data, Array.from({ length: Math.min(words, carried) }, (_, index) => (data[index >> 3] >> (index & 7)) & 1));
+}
+
+/** The bytes of words that are sent as hexadecimal digits, up to the first word with other characters. */
+function wordBytes({ value, size }, digits) {
+  const letters = value.digits === "upper_hex" ? "0123456789ABCDEF" : "0123456789abcdef";
+  const numbers = Array.from(digits, (byte) => letters.indexOf(String.fromCharCode(byte)));
+  const wrong = numbers.indexOf(-1);
+  const length = wrong < 0 ? digits.length : wrong;
+  return Uint8Array.from({ length: (Math.floor(length / size) * size) / 2 }, (_, index) => 16 * numbers[2 * index] + numbers[2 * index + 1]);
 }
 
 /**
@@ -79,8 +90,10 @@ export function accessedSpans({ access: single, steps }, record, start, data, va
     if (!access || (asked && !single && access.operation === "write")) return [];
     const field = single || (access.operation === "read") === Boolean(asked) ? record.named.get(access.values) : undefined;
     const { offset = 0, size = 0, count } = field ?? { count: 0 };
-    const carried = data.subarray(offset, count === undefined ? data.length : offset + size * count);
-    const span = accessedSpan(access, single || !asked ? values : NOTHING, asked ?? NOTHING, start + offset, carried);
+    const sent = data.subarray(offset, count === undefined ? data.length : offset + size * count);
+    const digits = field?.value?.digits ? sent : null;
+    const carried = digits ? wordBytes(field, digits) : sent;
+    const span = accessedSpan(access, single || !asked ? values : NOTHING, asked ?? NOTHING, start + offset, carried, digits);
     return span ? [[access, span]] : [];
   });
 }
