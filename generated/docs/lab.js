@@ -675,15 +675,16 @@ function wholeBounds(count, signed) {
   }
 }
 
-function decidingBits({ mask, numbers }, number) {
+const countInBits = ({ mask }, number) => ((Number(number) & mask) >>> 0) / ((mask & -mask) >>> 0);
+
+function isMet({ mask, numbers }, number) {
   const bits = (Number(number) & mask) >>> 0;
-  return numbers.length ? bits : bits / ((mask & -mask) >>> 0);
+  return numbers.length ? numbers.includes(bits) : bits > 0;
 }
 
 function fits(presence, number, elements) {
   const { numbers, unit, plus } = presence;
-  const bits = decidingBits(presence, number);
-  return numbers.length ? numbers.includes(bits) === elements > 0 : bits === elements * unit + plus;
+  return numbers ? isMet(presence, number) === elements > 0 : countInBits(presence, number) === elements * unit + plus;
 }
 
 const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.clz32(mask & -mask)}..${31 - Math.clz32(mask)}`;
@@ -692,8 +693,8 @@ function countedBytes(list, bytes) {
   const { length, unit, plus = 0, most, element, presence, more } = list;
   if (!length) return more ? element : most;
   let number = listNumber(list, bytes);
-  if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
-  if (presence) number = decidingBits(presence, number);
+  if (presence?.numbers) return isMet(presence, number) ? element : 0;
+  if (presence) number = countInBits(presence, number);
   return (number - plus) * unit;
 }
 
@@ -713,7 +714,7 @@ function setListNumber({ name, at, length, little }, bytes, number) {
   for (let place = 0; place < length; place++) bytes[at + (little ? place : length - 1 - place)] = number / 256 ** place & 255;
 }
 
-const follows = (more, bytes) => more.numbers.includes(decidingBits(more, listNumber(more, bytes)));
+const follows = (more, bytes) => isMet(more, listNumber(more, bytes));
 
 function elementsInImage({ element, most, more }, image, start) {
   let count = 1;
@@ -2547,7 +2548,7 @@ class ExplainedBody {
       return this.missingRow(fields, at);
     } else if (decision) {
       text = sentence(SENTENCES.DECIDES_MORE, { selector: decision.name, name });
-    } else if (presence?.numbers.length) {
+    } else if (presence?.numbers) {
       [reason, text] = ["incomplete", sentence(SENTENCES.SENT_WITHOUT_BYTES, { count: countName, name })];
     } else {
       [reason, text] = ["incomplete", sentence(SENTENCES.COUNTS_MORE, { count: countName, name })];
@@ -2674,7 +2675,7 @@ class ExplainedBody {
   deciding(field, read) {
     for (const other of this.record.fields) {
       const { presence, name } = other;
-      if (read.reason || presence?.by !== field.name || !isWhole(read.number)) continue;
+      if ((read.reason && read.reason !== "out_of_range") || presence?.by !== field.name || !isWhole(read.number)) continue;
       const known = this.record.inner?.lists.findIndex((list) => list.name === name) ?? -1;
       if (known === this.extents.length) read = this.wrongCount(this.record.inner.lists[known], field, read);
       if (known >= this.extents.length) continue;
@@ -2682,7 +2683,7 @@ class ExplainedBody {
       if (!fits(presence, read.number, items)) {
         const isSent = sentence(items ? SENTENCES.NUMBER_IF_SENT : SENTENCES.NUMBER_IF_ABSENT, other);
         const count = bitsText(presence, items * presence.unit + presence.plus);
-        return judged(read, false, presence.numbers.length ? isSent : count, "wrong_measure");
+        return judged(read, false, presence.numbers ? isSent : count, "wrong_measure");
       }
     }
     return read;

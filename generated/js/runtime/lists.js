@@ -1,16 +1,18 @@
 import { CodecError } from "./error.js";
 
-/** The bits of a number that say how many elements a field has; where they count these, as a number of their own. */
-function decidingBits({ mask, numbers }, number) {
+/** The number in the bits of a number that count the elements of a field. */
+const countInBits = ({ mask }, number) => ((Number(number) & mask) >>> 0) / ((mask & -mask) >>> 0);
+
+/** Whether the bits of a number, any of them where there are no `numbers`, say that something is sent. */
+function isMet({ mask, numbers }, number) {
   const bits = (Number(number) & mask) >>> 0;
-  return numbers.length ? bits : bits / ((mask & -mask) >>> 0);
+  return numbers.length ? numbers.includes(bits) : bits > 0;
 }
 
 /** Whether a number is right about how many elements a field has. */
 export function fits(presence, number, elements) {
   const { numbers, unit, plus } = presence;
-  const bits = decidingBits(presence, number);
-  return numbers.length ? numbers.includes(bits) === elements > 0 : bits === elements * unit + plus;
+  return numbers ? isMet(presence, number) === elements > 0 : countInBits(presence, number) === elements * unit + plus;
 }
 
 /** What the bits that count elements should contain. */
@@ -21,8 +23,8 @@ function countedBytes(list, bytes) {
   const { length, unit, plus = 0, most, element, presence, more } = list;
   if (!length) return more ? element : most;
   let number = listNumber(list, bytes);
-  if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
-  if (presence) number = decidingBits(presence, number);
+  if (presence?.numbers) return isMet(presence, number) ? element : 0;
+  if (presence) number = countInBits(presence, number);
   return (number - plus) * unit;
 }
 
@@ -46,7 +48,7 @@ function setListNumber({ name, at, length, little }, bytes, number) {
 }
 
 /** Whether another element follows one with some bytes. */
-export const follows = (more, bytes) => more.numbers.includes(decidingBits(more, listNumber(more, bytes)));
+export const follows = (more, bytes) => isMet(more, listNumber(more, bytes));
 
 /** How many elements a list with a first one has, each of which says whether another one follows, in an image. */
 export function elementsInImage({ element, most, more }, image, start) {

@@ -9,7 +9,7 @@ from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.parameters import with_parameter
 from fieldspec.codec.explain.registers import exponent_applied
 from fieldspec.codec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
-from fieldspec.codec.explain.values import DecodedValue, Meaning, decimal_text, decoded_row, in_unit
+from fieldspec.codec.explain.values import ACCEPTED, DecodedValue, Meaning, decimal_text, decoded_row, in_unit
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.inner_lists import InnerList, ListExtent
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
@@ -341,7 +341,9 @@ class Body:
         """The value of a field whose bits say how many elements others have, judged by how many they have."""
         for other in self.record.fields:
             presence, number = other.presence, read.number
-            if read.reason or presence is None or presence.by != field.name or not isinstance(number, int):
+            if presence is None or presence.by != field.name:
+                continue
+            if read.reason not in ACCEPTED or not isinstance(number, int):
                 continue
             items = self._items_at_end(other) if self.record.inner_lists is None else self._items_if_known(other)
             if items is None and self.record.inner_lists is not None:

@@ -157,10 +157,10 @@ def _field(field: FieldLayout) -> Iterator[Words]:
     if field.selector is not None:
         yield "decided by", field.selector.name, *(() if field.deciding_bits is None else (field.deciding_bits,))
     if field.presence is not None and field.presence.numbers:
-        yield "present by", field.presence.by, field.presence.mask, [*field.presence.numbers]
+        yield "present by", field.presence.by, field.presence.mask, field.presence.number_list
     if field.continuation is not None:
         continuation = field.continuation.presence
-        yield "more if", continuation.by, continuation.mask, [*continuation.numbers]
+        yield "more if", continuation.by, continuation.mask, continuation.number_list
     if spec.bit_measure is not None:
         yield "counts in bits", spec.bit_measure.text
     for case in sorted(field.cases, key=lambda case: sorted(case.numbers)):

@@ -144,7 +144,7 @@ def _continuation(field: FieldLayout, enums: Mapping[str, Enum]) -> Continuation
     presence = PresenceLayout(continuation.by, *stated_bits(continuation, decider.value, enums))
     offset = decider.offset if field.record is not None else 0
     order: Literal["big", "little"] = "big" if decider.order == "big" else "little"
-    is_free = continuation.bit is not None and not decider.value.enum and decider.value.writable_ranges is None
+    is_free = bool(continuation.bits) and not decider.value.enum and decider.value.writable_ranges is None
     legal = None if is_free else legal_numbers(continuation, decider.value, enums)
     return Continuation(presence, offset, decider.size, order, legal)
 

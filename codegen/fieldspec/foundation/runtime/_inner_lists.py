@@ -59,7 +59,7 @@ class InnerList:
         parts: Parts | None = None,
         decision: Decision | None = None,
         packing: Packing | None = None,
-        presence: tuple[int, tuple[int, ...]] | None = None,
+        presence: tuple[int, tuple[int, ...] | range] | None = None,
         sent_plus: int | None = None,
         more: More | None = None,
     ) -> None:

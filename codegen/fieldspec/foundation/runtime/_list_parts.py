@@ -75,7 +75,7 @@ class More:
     __slots__ = ("at", "following", "length", "mask", "order")
 
     def __init__(
-        self, at: int, length: int, order: Literal["big", "little"], mask: int, following: tuple[int, ...]
+        self, at: int, length: int, order: Literal["big", "little"], mask: int, following: tuple[int, ...] | range
     ) -> None:
         self.at, self.length, self.mask, self.following = at, length, mask, following
         self.order: Literal["big", "little"] = order

@@ -2,8 +2,8 @@
 ends with the message or before a constant of one byte that it cannot have. One field before a text can contain the
 text's number of bytes: an unsigned whole number of one or two bytes whose range includes every length of the text. A
 message with a value that varies in width has no list of free length, no record of varying size, no choice, and no other
-field that measures that value; the fields after the value have no printed offset. Measured texts can also be fields of
-a record within messages and other records, if the other fields of that record have a fixed size.
+field that measures that value. Measured texts can also be fields of a record within messages and other records, if the
+other fields of that record have a fixed size.
 
 Why: the constant after such a value marks its end. If the value could contain that constant, the next value would be
 read as a part of it.
@@ -148,12 +148,6 @@ def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Iterator[
     if message.accesses:
         text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
         yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
-    index = body.fields.index(varying[0])
-    for field in body.fields[index:]:
-        for key in ("span", "word_span"):
-            if key in field.place:
-                text = f"{field.name} has no place of its own, as {varying[0].name} varies in width"
-                yield finding(_CODE, field.place, key, text, "remove it")
     for field in varying:
         yield from _end(body, field)
 
@@ -165,12 +159,6 @@ def _of_record(record: Record) -> Iterator[Diagnostic]:
         for field in record.fields:
             if field.measures is not None and field.measures.field == text.name:
                 yield from _of_count(record, field, text)
-    for field in record.fields[record.fields.index(texts[0]) :] if texts else ():
-        for key in ("span", "word_span"):
-            if key in field.place:
-                problem = "has no last byte" if field in texts else "has no place of its own"
-                message = f"{field.name} {problem}, as {texts[0].name} varies in width"
-                yield finding(_CODE, field.place, key, message, "remove it")
 
 
 def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:

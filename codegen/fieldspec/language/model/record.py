@@ -83,24 +83,37 @@ class Choice:
 
 @dataclass(frozen=True, slots=True)
 class Presence:
-    """A field is sent if the field `by` before it has a `bit` with the value `value`, or a member in `when`.
+    """A field is sent if any of some `bits` of the field `by` before it is 1, or all are 0 where `value` is 0; or if
+    that field has a member in `when`.
 
-    `bit` is None where members decide. For the next element of a list, `by` is a field of each element, or empty where
-    elements have no fields.
+    There are no `bits` where members decide. For the next element of a list, `by` is a field of each element, or empty
+    where elements have no fields.
     """
 
     by: str
-    bit: int | None = None
+    bits: tuple[tuple[int, int], ...] = ()
     value: int = 1
     when: tuple[str, ...] = ()
 
     @property
+    def subject(self) -> str:
+        """`bit 3 of flags`, or `kind`: what says whether the field is sent."""
+        name = self.by or "it"
+        if not self.bits:
+            return name
+        places = ", ".join(str(low) if low == high else f"{low}..{high}" for low, high in self.bits)
+        noun = "bit" if places.isdecimal() else "one of bits" if self.value else "each of bits"
+        return f"{noun} {places} of {name}"
+
+    @property
+    def state(self) -> str:
+        """`1`, or `place or speed`: what it says if the field is sent."""
+        return str(self.value) if self.bits else " or ".join(self.when)
+
+    @property
     def condition(self) -> str:
         """`bit 3 of flags is 1`, or `kind is place or speed`: when the field is sent."""
-        name = self.by or "it"
-        if self.bit is not None:
-            return f"bit {self.bit} of {name} is {self.value}"
-        return f"{name} is {' or '.join(self.when)}"
+        return f"{self.subject} is {self.state}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -114,7 +114,7 @@ export class ExplainedBody {
       return this.missingRow(fields, at);
     } else if (decision) {
       text = sentence(SENTENCES.DECIDES_MORE, { selector: decision.name, name });
-    } else if (presence?.numbers.length) {
+    } else if (presence?.numbers) {
       [reason, text] = ["incomplete", sentence(SENTENCES.SENT_WITHOUT_BYTES, { count: countName, name })];
     } else {
       [reason, text] = ["incomplete", sentence(SENTENCES.COUNTS_MORE, { count: countName, name })];
@@ -255,7 +255,7 @@ export class ExplainedBody {
   deciding(field, read) {
     for (const other of this.record.fields) {
       const { presence, name } = other;
-      if (read.reason || presence?.by !== field.name || !isWhole(read.number)) continue;
+      if ((read.reason && read.reason !== "out_of_range") || presence?.by !== field.name || !isWhole(read.number)) continue;
       const known = this.record.inner?.lists.findIndex((list) => list.name === name) ?? -1;
       if (known === this.extents.length) read = this.wrongCount(this.record.inner.lists[known], field, read);
       if (known >= this.extents.length) continue;
@@ -263,7 +263,7 @@ export class ExplainedBody {
       if (!fits(presence, read.number, items)) {
         const isSent = sentence(items ? SENTENCES.NUMBER_IF_SENT : SENTENCES.NUMBER_IF_ABSENT, other);
         const count = bitsText(presence, items * presence.unit + presence.plus);
-        return judged(read, false, presence.numbers.length ? isSent : count, "wrong_measure");
+        return judged(read, false, presence.numbers ? isSent : count, "wrong_measure");
       }
     }
     return read;
