@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import BOUNDS, Draft, RecordDraft, Spec
-from random_devices.drawn_choices import closed_enums, deciding_fields
+from random_devices.drawn_choices import choice_counter, closed_enums, deciding_fields
 from random_devices.drawn_presences import continued_list, list_counter, more_ways, optional_field, presence_decider
 from random_devices.drawn_values import packed_list, size_of, value, varying_text, varying_value
 
@@ -344,7 +344,9 @@ def _choice_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
     if decided is None:
         return fields
     selector, choice = decided
-    return [*_inserted(draft, fields, selector), choice, *_behind(draft)]
+    before = _inserted(draft, fields, selector)
+    before = _inserted(draft, before, choice_counter(draft, choice)) if draft.chance(40) else before
+    return [*before, choice, *_behind(draft)]
 
 
 def _optional_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
@@ -383,6 +385,8 @@ def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
     if "repeat" in last and draft.chance(50):
         measure = draft.fact(type="u8", measures={"items": last["name"]})
         before = _inserted(draft, before, measure)
+    elif "repeat" not in last and draft.chance(40):
+        before = _inserted(draft, before, choice_counter(draft, last))
     return [*before, last]
 
 

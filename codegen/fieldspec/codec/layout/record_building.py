@@ -27,7 +27,7 @@ def record_layout(
     if last is None or last.choice is None:
         return _fixed(record, records, orders, device)
     is_behind = any(_varies(field, records) for field in record.fields[:-1])
-    if last.choice.bits is not None or (not last.is_list and (is_part or is_behind)):
+    if last.choice.bits is not None or last.choice.has_texts or (not last.is_list and (is_part or is_behind)):
         return _fixed(record, records, orders, device)
     return _choosing(record, last, last.choice, records, orders, device)
 
@@ -101,8 +101,8 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders, 
     offset = 0
     fields: list[FieldLayout] = []
     enums = device.enums
-    differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
     lists = [field for field in record.fields if _varies(field, records)]
+    differing = {own.name for own in lists if own.choice or (own.record and records[own.record].size is None)}
     is_inner = any(field is not record.fields[-1] or _is_never_open(field) for field in lists)
     is_inner |= bool(differing)
     remaining_fields = [field for field in record.fields if field not in lists]
