@@ -378,8 +378,8 @@ def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
     selector, last = decided
     cases = last["choice"]["cases"]
     # How often a constant is repeated is not a value of C's self-test.
-    has_bits = "bits" in last["choice"]
-    if draft.chance(50) and not has_bits and not any("const" in case for case in cases):
+    is_wide = "bits" in last["choice"] and selector["type"] != "u8"
+    if draft.chance(50) and not is_wide and not any("const" in case for case in cases):
         last["repeat"] = _limits(draft)
     before = _inserted(draft, fields, selector)
     if "repeat" in last and draft.chance(50):
