@@ -178,6 +178,9 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
                 result = DEVICE_ERR_UNKNOWN_VALUE;
             }
             taken = size;
+            if (index + 1u == count && list->decided_size == NULL && (size < list->least || size % list->element != 0u)) {
+                result = DEVICE_OK; /* the image refuses its wrong size */
+            }
         }
         if (list->counts_sent) {
             device_store_list_number(list, image, list->decided_size != NULL ? 1u : size / list->element);
