@@ -66,6 +66,15 @@ function decidedBytes({ at, length, little, mask, sizes }, bytes) {
   return sizes[String(mask === undefined ? number : number & BigInt(mask))];
 }
 
+/** The sent bytes of an element that another field decides, which a number may count; why they are not known. */
+function decidedExtent(inner, list, fields, extents) {
+  const size = decidedBytes(list.decision, fields);
+  if (size === undefined) return { fault: { reason: "unknown_value", at: placeAround(inner, extents, list.decision.at) } };
+  const number = list.sentPlus === undefined ? size : listNumber(list, fields) - list.sentPlus;
+  if (number !== size && !(number >= 0 && number <= -size)) return { fault: numberFault(inner, extents, list) };
+  return { size: number, elements: [number], isText: size < 0 };
+}
+
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
 
 /** The bytes that are sent for `size` bytes of the image of a list, of elements that do not differ in size. */
@@ -120,12 +129,7 @@ function elementIn(parts, bytes) {
     const at = list.first + before;
     if (bytes.length < at) break;
     fields.push(...bytes.subarray(fields.length + before, at));
-    const size = list.sentPlus === undefined ? sizeIn(list, fields) : measuredBytes(list, fields);
-    if (size === undefined) return { fault: numberFault(parts, extents, list) };
-    const elements = list.decision ? [size] : [];
-    const extent = list.sentPlus !== undefined && at + size <= bytes.length
-      ? measuredIn(parts, list, bytes.subarray(at, at + size), at, extents)
-      : list.parts && list.sentPlus === undefined ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements };
+    const extent = list.decision ? decidedExtent(parts, list, fields, extents) : listIn(parts, list, fields, bytes, at, extents);
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
@@ -133,17 +137,24 @@ function elementIn(parts, bytes) {
   return { size: parts.fixed + before };
 }
 
+/** The bytes of a list in an element, as its other fields say, or why they are not known. */
+function listIn(parts, list, fields, bytes, at, extents) {
+  const isMeasured = list.sentPlus !== undefined;
+  const size = isMeasured ? measuredBytes(list, fields) : sizeIn(list, fields);
+  if (size === undefined) return { fault: numberFault(parts, extents, list) };
+  if (isMeasured && at + size <= bytes.length) return measuredIn(parts, list, bytes.subarray(at, at + size), at, extents);
+  return list.parts && !isMeasured ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements: [] };
+}
+
 /** The bytes of a list that does not end with the data, as an image says; undefined where that cannot be right. */
 function sizeIn(list, image) {
-  if (list.decision) return decidedBytes(list.decision, image);
   const size = countedBytes(list, image);
   return isRight(list, size) ? size : undefined;
 }
 
 /** Why nobody knows the bytes of a list. */
-function numberFault(inner, extents, { at, decision }) {
-  const reason = decision ? "unknown_value" : "wrong_measure";
-  return { reason, at: placeAround(inner, extents, decision ? decision.at : at) };
+function numberFault(inner, extents, { at }) {
+  return { reason: "wrong_measure", at: placeAround(inner, extents, at) };
 }
 
 /** The bytes of an element that some bytes begin with, as `parts` tell them; -1 for a wrong count. */
@@ -201,17 +212,18 @@ export function extentsIn({ fixed, lists }, data) {
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
-    let counted = isLast && !list.decision && !list.more ? null : sizeIn(list, image);
-    if (list.sentPlus !== undefined) {
+    const decided = list.decision && decidedExtent({ fixed, lists }, list, image, extents);
+    let counted = decided || (isLast && !list.more) ? null : sizeIn(list, image);
+    if (list.sentPlus !== undefined && !decided) {
       const sent = measuredBytes(list, image);
       counted = isLast && sent !== left ? undefined : sent;
       if (counted > left) return { extents, fault: { reason: "incomplete", at: data.length } };
       if (counted !== undefined) [left, counted] = [counted, null];
     }
     if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
-    const extent = list.sentPlus !== undefined
+    const extent = decided ?? (list.sentPlus !== undefined
       ? measuredIn({ fixed, lists }, list, data.subarray(at, at + left), at, extents)
-      : list.parts ? elementsIn(list, data.subarray(at, at + left), counted, at) : { size: counted === null ? left : sentListBytes(list, counted), elements: list.decision ? [counted] : [] };
+      : list.parts ? elementsIn(list, data.subarray(at, at + left), counted, at) : { size: counted === null ? left : sentListBytes(list, counted), elements: [] });
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
     if (list.packing) {
@@ -273,6 +285,19 @@ function imageOf({ fixed, lists }, data, extents) {
   return image;
 }
 
+/** Throws CodecError for a zero in a text, unless the last list has a wrong number of bytes, which is refused before. */
+function refuseZeros({ lists }, extents, data, offset) {
+  const { parts, decision, packing } = lists.at(-1);
+  if (!parts && !decision && !packing && !isRight(lists.at(-1), extents.at(-1).size)) return;
+  let before = 0;
+  for (const [number, { size, isText }] of extents.entries()) {
+    const { name, first } = lists[number];
+    const at = first + before;
+    if (isText && data.subarray(at, at + size).includes(0)) throw new CodecError("unknown_value", `${name} has a zero`, offset + at);
+    before += size;
+  }
+}
+
 /** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
 export function readAround(inner, read, bytes, offset, end) {
   const data = bytes.subarray(offset, end);
@@ -281,6 +306,7 @@ export function readAround(inner, read, bytes, offset, end) {
     const { name } = inner.lists[extents.length];
     throw new CodecError(fault.reason, `${name} has a different number of bytes`, offset + fault.at);
   }
+  refuseZeros(inner, extents, data, offset);
   const image = imageOf(inner, data, extents);
   try {
     return read(image, 0, image.length);
@@ -290,11 +316,19 @@ export function readAround(inner, read, bytes, offset, end) {
   }
 }
 
+/** The bytes of a text without the zeros after it. */
+function textBytes(image) {
+  let size = image.length;
+  while (size > 0 && image[size - 1] === 0) size--;
+  return size;
+}
+
 /** What is sent of an image whose last list has `last` bytes there. */
 export function sentOfImage({ fixed, lists }, image, last) {
   const fields = image.slice(0, fixed);
   const lengths = lists.map((list) => {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
+    if (decided < 0) return textBytes(image.subarray(list.room, list.room - decided));
     if (decided !== undefined || list === lists.at(-1)) return decided ?? last;
     return countedBytes(list, image) * (list.more ? elementsInImage(list, image, list.room) : 1);
   });

@@ -307,7 +307,7 @@ class Body:
         """The value of a field that measures another one, judged by the size of that field."""
         measure = field.field.measures
         other = self.record.named(field.bits_of or (measure.field if measure is not None else ""))
-        if other is None or other.cases:
+        if other is None or other.splits_record:
             return read
         inner = self.record.inner_lists
         span = next((span for span in self.record.spans if span.name == other.name and span.count is not None), None)

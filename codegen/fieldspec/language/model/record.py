@@ -71,6 +71,11 @@ class Choice:
         """`bits 0..3 of dif`: what decides."""
         return self.by if self.bits is None else f"bits {self.bits[0]}..{self.bits[1]} of {self.by}"
 
+    @property
+    def has_texts(self) -> bool:
+        """Whether one of the types is a text that varies in length, whose bytes another field counts."""
+        return any(case.value.width for case in self.cases)
+
     def enum_of(self, selector: Field | None, words: Mapping[str, Flags]) -> str:
         """The name of the enum whose members decide; empty where the field that decides has none."""
         value = selector.value if selector is not None else None
@@ -220,6 +225,13 @@ def bit_count(record: Record, name: str) -> tuple[Field, Measure] | None:
     """The field that has the size of another one in some of its bits, and what they contain; None if there is none."""
     pairs = ((other, other.bit_measure) for other in record.fields)
     return next(((other, own) for other, own in pairs if own is not None and own.field == name), None)
+
+
+def choice_count(record: Record, field: Field) -> Field | None:
+    """The field before a single one with several types that has its number of bytes, None if there is none."""
+    count = list_count(record, field) if field.choice is not None and not field.is_list else None
+    is_right = count is not None and count.measures is not None and count.measures.of == "bytes"
+    return count if is_right and count is not None and count.value is not None and count.value.ranges is None else None
 
 
 def text_count(record: Record, field: Field) -> Field | None:

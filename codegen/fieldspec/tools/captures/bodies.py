@@ -300,7 +300,7 @@ class BodyReader:
             return
         measure = slot.layout.field.measures if slot.layout is slot.field else None
         other = self.record.named(measure.field) if measure else None
-        if measure is None or other is None or other.cases or slot.path in self.counts_of_texts:
+        if measure is None or other is None or other.splits_record or slot.path in self.counts_of_texts:
             return
         room = self.record.room_of(other)
         if slot.layout.counts_sent or (room is not None and room.count == slot.path):
