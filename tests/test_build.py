@@ -117,17 +117,17 @@ def test_a_file_of_the_same_size_and_date_is_hashed_again_when_it_has_changed(
 ) -> None:
     monkeypatch.setattr(freshness, "_SETTLED", settled)
     path = tmp_path / "file"
-    path.write_text("before")
+    path.write_text("before", encoding="utf-8")
     status = path.stat()
     assert freshness.file_digest(tmp_path, "file") == freshness.digest(b"before")
     time.sleep(0.05)  # the clock of files is coarse
-    path.write_text("behind")
+    path.write_text("behind", encoding="utf-8")
     os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
     assert freshness.file_digest(tmp_path, "file") == freshness.digest(b"behind")
 
 
 def test_a_file_that_has_not_changed_for_long_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "file").write_text("text")
+    (tmp_path / "file").write_text("text", encoding="utf-8")
     monkeypatch.setattr(freshness, "_SETTLED", -1)
     hashed = freshness.file_digest(tmp_path, "file")
     monkeypatch.delattr(freshness, "content")  # whoever reads a file, fails
