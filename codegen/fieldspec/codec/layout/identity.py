@@ -268,8 +268,8 @@ def _register_text(register_layout: RegisterLayout) -> str:
     use = register.index_from, register.access, register.trigger, register.atomic, *value_words(register.value)
     if not register.value.write_word_order:
         return _text(place) + _text(use)
-    written = "words of a write", register.value.write_swapped(register_layout.swapped)
-    return _text(place) + _text(use) + _text(written)
+    order = "words of a write", register.value.write_swapped(register_layout.swapped)
+    return _text(place) + _text(use) + _text(order)
 
 
 def _tables(device: Device) -> Iterator[Words]:

@@ -103,7 +103,7 @@ _DIGESTS: dict[tuple[int, ...], str] = {}
 """The hashes of files that this process has read, by all that the system changes when it changes a file."""
 _MOST_DIGESTS = 100_000
 _SETTLED = 3_000_000_000
-"""The nanoseconds after which a change of a file gets another time than the change before, on any system."""
+"""The nanoseconds after which the clock of any file system has moved on."""
 
 
 def file_digest(output_folder: Path, path: str) -> str | None:
@@ -112,14 +112,14 @@ def file_digest(output_folder: Path, path: str) -> str | None:
     try:
         status, now = os.stat(name), time.time_ns()
         state = status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns
-        found = _DIGESTS.get(state) or digest(content(name, LARGEST_OUTPUT))
+        file_hash = _DIGESTS.get(state) or digest(content(name, LARGEST_OUTPUT))
     except OSError:
         return None
     if max(state[-2:]) + _SETTLED < now:
         if len(_DIGESTS) == _MOST_DIGESTS:
             _DIGESTS.clear()
-        _DIGESTS[state] = found
-    return found
+        _DIGESTS[state] = file_hash
+    return file_hash
 
 
 class EarlierBuild:

@@ -33,7 +33,7 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 
 def sources_present(device: Device) -> Iterator[Diagnostic]:
     manual = device.manual
-    is_cited, most = bool(manual.mark or manual.url), manual.lines or manual.pages
+    is_cited, extent = bool(manual.mark or manual.url), manual.lines or manual.pages
     imported: dict[str, list[str]] = {}
     sectionless: list[tuple[str, Place]] = []
     for subject, place, sources, needs_source in cited_places(device):
@@ -44,7 +44,7 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
             yield finding("sources_present", place, "source", text, "add `source: <section> L<line>`")
         is_sectionless = False
         for citation in sources:
-            if is_cited and not _is_within(citation, manual.mark, most):
+            if is_cited and not _is_within(citation, manual.mark, extent):
                 yield _wrong(manual, subject, place, citation)
             is_sectionless |= not citation.section
         if is_sectionless:
@@ -145,10 +145,10 @@ def _added(device: Device) -> set[str]:
     return {entry.path for entry in device.stated_changes if entry.kind == "adds"}
 
 
-def _is_within(citation: Citation, mark: str, most: int) -> bool:
+def _is_within(citation: Citation, mark: str, extent: int) -> bool:
     """Whether a citation has the mark of the manual, and lines or pages that the manual has."""
     for first, last in citation.lines:
-        if not 1 <= first <= last <= most:
+        if not 1 <= first <= last <= extent:
             return False
     return citation.mark == mark
 
@@ -159,7 +159,8 @@ def _wrong(manual: Manual, subject: str, place: Place, citation: Citation) -> Di
         form = f"a section and a {unit[:-1]}, as in `8.2 {manual.mark}17`" if manual.mark else "a section, as in `8.2`"
         text = f"the source of {subject} is {citation.text()}; the manual has {unit}"
         return finding("sources_present", place, "source", text, f"write {form}")
-    most = manual.lines or manual.pages
-    extent = f"the manual's text has the lines 1 to {most}" if manual.lines else f"the manual has {most} pages"
+    extent = f"the manual's text has the lines 1 to {manual.lines}"
+    if not manual.lines:
+        extent = f"the manual has {manual.pages} pages"
     text = f"the source of {subject} is {citation.text()}; {extent}"
     return finding("sources_present", place, "source", text, f"correct the {manual.unit}")
