@@ -10,6 +10,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +26,7 @@ from fieldspec.cli import main
 from fieldspec.codec.reference.checksums import checksum
 from fieldspec.testing import SimulatedDevice, simulated, simulation
 from fieldspec.tools.carriers.carrier import CarrierError, LineSettings
-from fieldspec.tools.carriers.sockets import Connection, Listener
+from fieldspec.tools.carriers.sockets import Connection, Datagrams, Listener
 from fieldspec.tools.simulator.clock import ManualClock
 from simulators import SPECS
 
@@ -161,6 +162,15 @@ def test_a_listener_to_which_nobody_connects_says_so_and_can_be_closed() -> None
     assert connections == [None]
     with pytest.raises(CarrierError, match="is closed"):
         listener.accept()
+
+
+@pytest.mark.parametrize(("scheme", "carrier"), [("tcp", Listener), ("udp", partial(Datagrams, server=True))])
+def test_a_place_is_free_again_where_what_listens_is_closed(
+    scheme: str, carrier: Callable[[str], Listener | Datagrams]
+) -> None:
+    closed = carrier(f"{scheme}://127.0.0.1:0")
+    closed.close()
+    carrier(closed.name).close()
 
 
 def test_a_read_in_another_thread_ends_where_its_connection_is_closed() -> None:
