@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import select
 import socket
 import subprocess
@@ -11,7 +10,6 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -27,9 +25,7 @@ from fieldspec.cli import main
 from fieldspec.codec.reference.checksums import checksum
 from fieldspec.testing import SimulatedDevice, simulated, simulation
 from fieldspec.tools.carriers.carrier import CarrierError, LineSettings
-from fieldspec.tools.carriers.pages import PageServer
-from fieldspec.tools.carriers.sockets import Connection, Datagrams, Listener
-from fieldspec.tools.carriers.terminals import SerialPort
+from fieldspec.tools.carriers.sockets import Connection, Listener
 from fieldspec.tools.simulator.clock import ManualClock
 from simulators import SPECS
 
@@ -165,36 +161,6 @@ def test_a_listener_to_which_nobody_connects_says_so_and_can_be_closed() -> None
     assert connections == [None]
     with pytest.raises(CarrierError, match="is closed"):
         listener.accept()
-
-
-def simulated_lines() -> ExitStack:
-    """A simulated device on two pseudo-terminals."""
-    stack = ExitStack()
-    stack.enter_context(simulation("tc100", ports={"rtu": "pty", "ascii": "pty"}, folder=SPECS))
-    return stack
-
-
-CARRIERS: dict[str, Callable[[str], Any]] = {
-    "listener": lambda place: Listener("tcp://127.0.0.1:0"),
-    "connection": Connection.opened,
-    "serial port": lambda place: SerialPort(place.replace("tcp:", "socket:"), LineSettings()),
-    "server of datagrams": lambda place: Datagrams("udp://127.0.0.1:0", server=True),
-    "client of datagrams": lambda place: Datagrams(place, server=False),
-    "pages": lambda place: PageServer(Path(__file__).parent, 0),
-    "pseudo-terminals": lambda place: simulated_lines(),
-}
-
-
-@pytest.mark.parametrize("carrier", CARRIERS.values(), ids=CARRIERS)
-def test_what_is_closed_leaves_no_descriptor_open(carrier: Callable[[str], Any]) -> None:
-    listener = Listener("tcp://127.0.0.1:0")
-    carrier(listener.name).close()  # what a module opens once is open from then on
-    before = os.listdir("/dev/fd")
-    closed = carrier(listener.name)
-    assert os.listdir("/dev/fd") != before
-    closed.close()
-    assert os.listdir("/dev/fd") == before
-    listener.close()
 
 
 def test_a_read_in_another_thread_ends_where_its_connection_is_closed() -> None:
