@@ -64,14 +64,14 @@ def _functions(naming: Naming, link: LinkLayout, escape: Escape) -> Source:
 
 
 def keeps_size(frame: FrameLayout) -> bool:
-    """Whether as many bytes are sent as there are before they are escaped, so that none are refused."""
+    """Whether escaping keeps the number of bytes."""
     return frame.escape is None or frame.escape.method == "add"
 
 
 def escape_bytes(
     naming: Naming, link: LinkLayout, frame: FrameLayout, data: Expression, length: Expression, *room: Expression
 ) -> Body:
-    """`status = escape_slip(out, &total, 0u, 0u, capacity - 1u);`, or, without the room, the way back."""
+    """`status = escape_slip(out, &total, 0u, 0u, capacity - 1u);`; without the room, the call of `unescape_slip`."""
     function = naming.own(f"{'escape' if room else 'unescape'}_{link.name}")
     bounds = unsigned(frame.escape_start), unsigned(-(frame.escape_stop or 0))
     if keeps_size(frame):
