@@ -12,7 +12,7 @@ from fieldspec.tools.lists.sheet import SheetRow
 from fieldspec.tools.lists.words import folded, words
 
 _DIGITS, _COILS = 5, "coils"
-"""The digits of a reference, and the space of those that may begin with zeros."""
+"""The digits of a reference, and the address space whose references may begin with zeros."""
 
 
 _MOST, _OF = 3, 4
@@ -66,8 +66,8 @@ def _with_short_references(rows: list[tuple[SheetRow, Place]], columns: Columns)
         text.isdecimal() and len(text) < _DIGITS and (is_coil or (text.startswith("0") and len(text) == _DIGITS - 1))
         for text, is_coil in zip(digits, are_coils, strict=True)
     ]
-    others = [row_place.first.reference() for (_, row_place), is_short in zip(rows, short, strict=True) if not is_short]
-    are_references = bool(others) and all(others)
+    longer = [row_place.first.reference() for (_, row_place), is_short in zip(rows, short, strict=True) if not is_short]
+    are_references = bool(longer) and all(longer)
     for (row, row_place), is_short in zip(rows, short, strict=True):
         first = row_place.first
         whole = replace(first, digits=first.digits.zfill(_DIGITS)) if is_short and are_references else first
@@ -78,17 +78,17 @@ def _with_wire_numbers(
     rows: list[tuple[SheetRow, Place]], columns: Columns
 ) -> tuple[list[tuple[SheetRow, Place]], str]:
     """The places with the addresses on the wire that a further column has beside references, or beside numbers from 1,
-    and its heading; those of this column where the further one has the references. Rows that contradict most others are
-    refused for their second notation."""
+    and its heading; the addresses of this column where the further one has the references. Rows that contradict most
+    others are refused for their second notation."""
     for column in columns.more.get("address", ()):
         pairs = [(row_place.first, address_text(row.cell(column))) for row, row_place in rows]
         for is_swapped in (False, True):
             ends = [(b, a) if is_swapped else (a, b) for a, b in pairs]
-            both = [(a, b) for a, b in ends if a is not None and b is not None]
+            filled_pairs = [(a, b) for a, b in ends if a is not None and b is not None]
             are_references = all(a is not None and a.reference() for a, _ in ends)
-            are_marked = len(both) == len(ends) and all(b.mark == HEXADECIMAL for _, b in both)
-            fitting = sum(_counts_from_one(a, b) for a, b in both)
-            if not both or fitting * _OF < len(both) * _MOST or not (are_references or are_marked):
+            are_marked = len(filled_pairs) == len(ends) and all(b.mark == HEXADECIMAL for _, b in filled_pairs)
+            fitting = sum(_is_reference_or_next(a, b) for a, b in filled_pairs)
+            if not filled_pairs or fitting * _OF < len(filled_pairs) * _MOST or not (are_references or are_marked):
                 continue
             heading = columns.heading("address") if is_swapped else columns.heading_at(column)
             return [
@@ -98,7 +98,7 @@ def _with_wire_numbers(
     return rows, ""
 
 
-def _counts_from_one(first: AddressText, other: AddressText) -> bool:
+def _is_reference_or_next(first: AddressText, other: AddressText) -> bool:
     """Whether an address is the reference of another one, or one more than it."""
     number = other.number(HEXADECIMAL if other.lettered else DECIMAL)
     reference = first.reference()

@@ -23,7 +23,7 @@ _NO_ADDRESSES = ("index", "offset", "dec", "decimal", "start", "registers")
 
 
 _FEWEST_ROLES = 4
-"""The roles of objects whose numbers may be those of anything."""
+"""The roles of objects whose numbers may number anything."""
 
 _STATIONS = ("slave", "unit", "device", "node", "station", "server", "host", "ip", "mac", "i2c", "spi")
 """Words before `address` for what is not a register: the address of a station, of a network or of a chip."""

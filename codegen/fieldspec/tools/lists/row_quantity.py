@@ -65,7 +65,7 @@ _BEHIND_RANGE = re.compile(r"(?:(?<=[0-9])[^\s0-9.,xX]|(?<=[0-9]) [^\s0-9])[^\s0
 _LABEL = re.compile(
     r"([^\W\d][^\W\d ]*)\s*(?:[:=]\s*)?(?=([x\u00d7*/÷])?)((?:[x\u00d7*/÷]\s*)?[0-9.].*)", re.IGNORECASE
 )
-"""A word, and a number after it, perhaps behind the sign of a factor."""
+"""A word, and a number after it, perhaps with the sign of a factor before it."""
 
 _FIXED = re.compile(r"fix(?:ed)?[ _]?([0-9])", re.IGNORECASE)
 _FORMATS = {"temp": 1}

@@ -90,13 +90,13 @@ def without_numbers(sheet: Sheet) -> Sheet:
 
 
 def _refuse_identifiers(table: Columns) -> None:
-    """Raises ListError for a list of messages on a CAN bus, whose identifiers are no addresses of registers."""
+    """Raises ListError for a list of messages on a CAN bus, which have identifiers and not addresses of registers."""
     kinds = {meaning("can", heading): heading for heading in table.headings if heading}
     is_clear = address_rank(table.heading("address")) >= _CLEAR
     if not is_clear and ("identifier" in kinds or {"message", "place"} <= kinds.keys()):
         heading = kinds.get("identifier") or table.heading("address")
         raise ListError(
-            f"has messages of a CAN bus, whose identifiers under {heading} are no addresses of registers; import its "
+            f"has messages of a CAN bus, with identifiers under {heading}, and not addresses of registers; import its "
             "DBC, or name the column of registers with --address"
         )
 
@@ -126,7 +126,7 @@ def _marked_tables(sheet: Sheet, names: Mapping[str, str]) -> Columns | None:
 
 
 def _rank(table: Columns) -> int:
-    """How clearly a table is one of registers: 0 for a column of numbers that nothing but names stands beside."""
+    """How clearly a table is one of registers: 0 for a column of numbers with names alone."""
     is_clear = address_rank(table.heading("address")) >= _CLEAR
     return _CLEAR if is_clear else int(table.headed > _NUMBERS_AND_NAMES)
 

@@ -35,7 +35,7 @@ _BESIDE = re.compile(r"[,/·•|]\s*[0-9]+[\s(]")
 _BEHIND = re.compile(
     r"([^\W\d][^=:;,()\n]{0,40}?)\s*(?:[=:(]|=>|->)\s*(0x[0-9a-f]{1,16}|-?[0-9]{1,10})\)?", re.IGNORECASE
 )
-"""A value behind its name: `off = 0`, `on (1)`."""
+"""A value after its name: `off = 0`, `on (1)`."""
 
 _BINARY = re.compile("[01]{2,8}")
 _FEWEST_BINARY, _FEW = 3, 2
@@ -102,17 +102,17 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
     simple = [_SIMPLE.fullmatch(piece.strip()) for piece in _SEPARATOR.split(text) if piece.strip()]
     if simple and all(simple) and (single or len(simple) > 1 or text.rstrip().endswith(";")):
         pairs = [(_number(piece[1]), piece[2].strip()) for piece in simple if piece and piece[1].lower() != "nan"]
-        is_counted = (
+        are_consecutive = (
             [number for number, _ in pairs] == list(range(pairs[0][0], pairs[0][0] + len(pairs))) if pairs else True
         )
-        if (is_counted or ";" in text or "," not in text) and not any(_BESIDE.search(name) for _, name in pairs):
+        if (are_consecutive or ";" in text or "," not in text) and not any(_BESIDE.search(name) for _, name in pairs):
             return _sorted([(False, number, name, 0) for number, name in pairs])
         return None
-    behind = [_BEHIND.fullmatch(piece.strip()) for piece in re.split("[,;/\n]", text) if piece.strip()]
-    names = [(_number(piece[2]), piece[1]) for piece in behind if piece and folded(piece[1]) not in whole_words()]
+    named_values = [_BEHIND.fullmatch(piece.strip()) for piece in re.split("[,;/\n]", text) if piece.strip()]
+    names = [(_number(piece[2]), piece[1]) for piece in named_values if piece and folded(piece[1]) not in whole_words()]
     first = min((number for number, _ in names), default=0)
     if (
-        len(names) == len(behind) > 1
+        len(names) == len(named_values) > 1
         and {number for number, _ in names} == {*range(first, first + len(names))}
         and first < _FEW
     ):

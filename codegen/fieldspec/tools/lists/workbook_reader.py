@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 MAGIC = b"PK\x03\x04"
 
 _REPEATED = 20
-"""One address in so many may be on several sheets of a device."""
+"""One address in this number may be on several sheets of a device."""
 
 _FEWEST_ROLES = 2
 """The headings of sheets that may have anything in them."""
