@@ -45,8 +45,8 @@ class FrameParts:
 
     def data(self, numbers: dict[str, Any], body: bytes) -> bytes:
         """The bytes of all parts around some data."""
-        around = b"".join(number.build(numbers[part.name]) for part, number in self._constructs)
-        return around[: self.shape.header_size] + body + around[self.shape.header_size :]
+        part_bytes = b"".join(number.build(numbers[part.name]) for part, number in self._constructs)
+        return part_bytes[: self.shape.header_size] + body + part_bytes[self.shape.header_size :]
 
 
 def checksum_of(part: PartLayout, data: bytes) -> int | bytes:
