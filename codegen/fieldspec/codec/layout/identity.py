@@ -108,8 +108,14 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             for part in frame.parts:
                 role = _HASHED_ROLES.get(part.role, part.role)
                 order = order_of(part.value, part.order)
-                yield part.name, role, part.offset, part.size, part.algorithm, order, *value_words(part.value)
+                yield part.name, role, part.offset, part.size, part.algorithm, order, *_part_words(part)
                 yield from _span(part)
+
+
+def _part_words(part: PartLayout) -> Words:
+    """All of the value of a part; of a reserved one, whose number means nothing, the type only as its size."""
+    words = value_words(part.value)
+    return (f"u{8 * part.size}", *words[1:]) if part.reserved and words else words
 
 
 def _span(part: PartLayout) -> Iterator[Words]:
