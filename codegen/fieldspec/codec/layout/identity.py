@@ -13,7 +13,15 @@ from operator import attrgetter
 from typing import Any, TypeVar
 
 from fieldspec.codec.layout.frame import LinkLayout
-from fieldspec.codec.layout.identity_words import Words, bounding, order_of, orders_in, shortest, value_words
+from fieldspec.codec.layout.identity_words import (
+    Words,
+    bounding,
+    order_of,
+    part_words,
+    orders_in,
+    shortest,
+    value_words,
+)
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
@@ -108,14 +116,8 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             for part in frame.parts:
                 role = _HASHED_ROLES.get(part.role, part.role)
                 order = order_of(part.value, part.order)
-                yield part.name, role, part.offset, part.size, part.algorithm, order, *_part_words(part)
+                yield part.name, role, part.offset, part.size, part.algorithm, order, *part_words(part)
                 yield from _span(part)
-
-
-def _part_words(part: PartLayout) -> Words:
-    """All of the value of a part; of a reserved one, whose number means nothing, the type only as its size."""
-    words = value_words(part.value)
-    return (f"u{8 * part.size}", *words[1:]) if part.reserved and words else words
 
 
 def _span(part: PartLayout) -> Iterator[Words]:

@@ -88,11 +88,9 @@ class Choice:
 
 @dataclass(frozen=True, slots=True)
 class Presence:
-    """A field is sent if any of some `bits` of the field `by` before it is 1, or all are 0 where `value` is 0; or if
-    that field has a member in `when`.
-
-    There are no `bits` where members decide. For the next element of a list, `by` is a field of each element, or empty
-    where elements have no fields.
+    """A field is sent if any of some `bits` of the field `by` before it is 1 (all are 0 where `value` is 0), or if that
+    field has a member in `when`. There are no `bits` where members decide. For the next element of a list, `by` is a
+    field of each element, or empty where elements have no fields.
     """
 
     by: str
