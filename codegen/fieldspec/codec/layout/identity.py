@@ -13,24 +13,14 @@ from operator import attrgetter
 from typing import Any, TypeVar
 
 from fieldspec.codec.layout.frame import LinkLayout
-from fieldspec.codec.layout.identity_words import (
-    Words,
-    bounding,
-    order_of,
-    part_words,
-    orders_in,
-    shortest,
-    value_words,
-)
+from fieldspec.codec.layout.identity_parts import part_words
+from fieldspec.codec.layout.identity_words import Words, bounding, order_of, orders_in, shortest, value_words
 from fieldspec.codec.layout.message import MessageLayout
-from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import attributes
-from fieldspec.language.model import codecs
 from fieldspec.language.model.address_space import WHOLE, WORD
 from fieldspec.language.model.attributes import descendants
-from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum, Flags
 from fieldspec.language.model.link import Serial
@@ -39,9 +29,6 @@ from fieldspec.language.model.texts import Limit
 from fieldspec.language.model.value import HANDLING_KEYS, UNSPECIFIED
 
 T = TypeVar("T")
-
-_HASHED_ROLES = {"checksum": "check", "unit_address": "station"}
-"""The words for roles in the hash. With them, a rename of a role changes no identity."""
 
 
 def identity(
@@ -114,28 +101,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             yield "escape", link.escape
         for frame in (link_layout.request, link_layout.response):
             for part in frame.parts:
-                role = _HASHED_ROLES.get(part.role, part.role)
-                order = order_of(part.value, part.order)
-                yield part.name, role, part.offset, part.size, part.algorithm, order, *part_words(part)
-                yield from _span(part)
-
-
-def _span(part: PartLayout) -> Iterator[Words]:
-    """The parts that a part counts, covers or repeats, and whether it is reserved; empty for the default."""
-    usual = part.role != "checksum" or (part.start, part.stop) == (0, part.offset)
-    if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
-        yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
-    if part.digits:
-        yield "digits", part.digits
-    name = checksum_named(part.algorithm).codec if part.algorithm else ""
-    if name:
-        yield "codec", codecs.checksum_codec(name).version
-    if part.before_escape and not part.escaped:
-        yield ("before escape",)
-    if part.part.same_as:
-        yield "repeats", part.part.same_as
-    if part.part.bits is not None:
-        yield "bits", part.part.bits
+                yield from part_words(part)
 
 
 def _record(record: RecordLayout) -> Iterator[Words]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model import codecs
@@ -33,12 +32,6 @@ _WORDS: ByIdentity[Value, Words] = ByIdentity(limit=20_000)
 def value_words(value: Value | None) -> Words:
     """All of a value, empty for none."""
     return _WORDS.get_or_compute(value, _value_words) if value is not None else ()
-
-
-def part_words(part: PartLayout) -> Words:
-    """All of the value of a part; of a reserved one, whose number means nothing, the type only as its size."""
-    words = value_words(part.value)
-    return (f"u{8 * part.size}", *words[1:]) if part.reserved and words else words
 
 
 def _value_words(value: Value) -> Words:
