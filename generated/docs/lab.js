@@ -1899,7 +1899,8 @@ class Spot {
   }
 
   byteText(at) {
-    return byteText(this.escape, at);
+    if (this.escape?.method !== "can") return `byte ${this.place(at, 0).offset}`;
+    return `byte ${at - identifierSize(this.escape)} of the data`;
   }
 
   place(at, length) {
@@ -2101,10 +2102,6 @@ function originalPlaces(escape, data) {
 
 function identifierSize({ fields }) {
   return fields.reduce((sum, [own]) => sum + own, 0);
-}
-
-function byteText(escape, at) {
-  return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
 }
 
 function parameterNumbered(words, number) {

@@ -1,5 +1,5 @@
 import { isRemoteRequest } from "../escapes.js";
-import { byteText, identifierSize } from "./frames.js";
+import { identifierSize } from "./frames.js";
 import { SENTENCES } from "./sentences.js";
 import { byteCount, hexOf, latinOf, portableValue, sameBytes, sentence } from "./texts.js";
 
@@ -22,9 +22,10 @@ export class Spot {
     return isRemoteRequest(this.frame.subarray(this.start), this.escape.remote ?? -1) ? "DLC" : String(at - size);
   }
 
-  /** `byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts. */
+  /** `byte 4` of the frame, or `byte 2 of the data` of a CAN frame, for a byte of the parts. */
   byteText(at) {
-    return byteText(this.escape, at);
+    if (this.escape?.method !== "can") return `byte ${this.place(at, 0).offset}`;
+    return `byte ${at - identifierSize(this.escape)} of the data`;
   }
 
   /**

@@ -88,8 +88,3 @@ export function originalPlaces(escape, data) {
 export function identifierSize({ fields }) {
   return fields.reduce((sum, [own]) => sum + own, 0);
 }
-
-/** `byte 4`, or `byte 2 of the data` of a CAN frame, for the place `at` among the bytes of all parts. */
-export function byteText(escape, at) {
-  return escape?.method === "can" ? `byte ${at - identifierSize(escape)} of the data` : `byte ${at}`;
-}
