@@ -72,7 +72,13 @@ class ExplainedFrame {
     const { mark } = exception;
     if (!mark) return isException(exception, 0, (name) => this.partNumber(name));
     const at = this.shape.headerSize + mark.offset;
-    return sameBytes(this.data.subarray(at, at + mark.bytes.length), mark.bytes);
+    return at + mark.bytes.length <= this.bodyEnd() && sameBytes(this.data.subarray(at, at + mark.bytes.length), mark.bytes);
+  }
+
+  /** The offset of the first byte after the body. */
+  bodyEnd() {
+    const { headerSize, trailerSize } = this.shape;
+    return this.wrapped.whole ? Math.max(headerSize, this.data.length - trailerSize) : this.data.length;
   }
 
   result(message, rows, registers, errata) {
@@ -278,7 +284,7 @@ class ExplainedFrame {
   /** The rows of the body, and those of the registers that it reads or writes. */
   body() {
     const start = this.shape.headerSize;
-    const end = this.wrapped.whole ? Math.max(start, this.data.length - this.shape.trailerSize) : this.data.length;
+    const end = this.bodyEnd();
     const isException = this.error && this.link.exception;
     const record = isException ? this.device.records.get(this.link.exception.record) : this.message?.[this.direction];
     if (!record) return { rows: this.unknownRows(start, end), registers: [] };
