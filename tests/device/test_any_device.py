@@ -54,7 +54,9 @@ def test_a_simulated_device_answers_a_client_without_options(
     assert len(capsys.readouterr().out.splitlines()) > 2
 
 
-def test_a_link_that_reads_nothing_is_refused_with_the_one_that_reads_registers(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_link_that_reads_nothing_is_refused_with_the_one_that_reads_registers(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     arguments = [
         "live",
         "ladder",
