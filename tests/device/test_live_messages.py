@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from fieldspec.cli import main
+from fieldspec.command.live.connection import links_that_read
 from fieldspec.testing import SimulatedDevice, simulation
 from fieldspec.tools.lists.dump import dump
 from fieldspec.tools.lists.text_sheet import text_sheet
@@ -40,7 +41,7 @@ def test_one_word_and_two_have_the_messages_that_can_carry_them(
 ) -> None:
     for operation, expected in (("read", reads), ("write", writes)):
         layout = newest(TEST_SPECS, device)
-        link = next(iter(layout.links.values()))
+        link = layout.links[links_that_read(layout)[0]]
         messages = [message_for(layout.device, link, operation, space, words) for words in (1, 2)]
         assert " ".join(message.name if message is not None else "none" for message in messages) == expected
 
