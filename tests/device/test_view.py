@@ -18,6 +18,7 @@ def test_signals_motion_and_traffic_are_shown() -> None:
 
         async def look() -> None:
             async with view.run_test() as pilot:
+                await pilot.pause()
                 device.set(alarm_code="overcurrent")
                 line = device.simulation.line("ascii")
                 assert list(line.feed(0.0, b":010310000001EB\r\n"))
