@@ -130,10 +130,14 @@ def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
         for message in messages_sent(device, link, direction):
             record = message.request if direction == "request" else message.response
             bounds = [sizes.field(field) for field in record.fields]
-            known = [pair for pair in bounds if pair is not None]
+            stated_bounds = [pair for pair in bounds if pair is not None]
             # Lists may fill a frame together, such as data and padding; encoders reject more.
-            size = parts_size + sum(low for low, _ in known) + max((high - low for low, high in known), default=0)
-            if len(known) == len(bounds) and size > CAN_DATA:
+            size = (
+                parts_size
+                + sum(low for low, _ in stated_bounds)
+                + max((high - low for low, high in stated_bounds), default=0)
+            )
+            if len(stated_bounds) == len(bounds) and size > CAN_DATA:
                 text = f"the {direction} of {message.name} has {size} bytes, and a CAN frame {CAN_DATA}"
                 yield finding(_CODE, message.place, direction, text, "divide it into several messages")
     error = link.exception_response

@@ -213,8 +213,12 @@ def _binary_fields(device: Device) -> dict[int, str]:
 def _may_have_digits(device: Device, message: Message, access: RegisterAccess, field: Field) -> bool:
     """Whether a message with one access may carry its address, its count or its words as characters, but not its bits.
 
-    `accesses_fit_space` says which characters words have.
+    An address and a count have neither a sign nor a decimal point. `accesses_fit_space` says which characters words
+    have.
     """
-    if message.single_access is None or field.value is None or not field.value.has_characters:
+    value = field.value
+    if message.single_access is None or value is None or not value.has_characters:
         return False
-    return field.name != access.values or device.space(access.space).unit != BIT
+    if field.name == access.values:
+        return device.space(access.space).unit != BIT
+    return not value.places and not is_signed(value.type.encoding)
