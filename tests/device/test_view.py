@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import asyncio
 
-from textual.widgets import DataTable, Static
-
 from fieldspec.command.serving.simulation_view import SimulationView
 from fieldspec.testing import simulation
 from fieldspec.tools.simulator.clock import ManualClock
@@ -24,10 +22,10 @@ def test_signals_motion_and_traffic_are_shown() -> None:
                 assert list(line.feed(0.0, b":010310000001EB\r\n"))
                 view.refresh_values()
                 await pilot.pause()
-                table = view.query_one("#signals", DataTable)
+                table = view.signals
                 assert [str(column.label) for column in table.ordered_columns] == ["role", "signal", "value"]
                 assert table.get_row("registers/alarm") == ["alarm_code", "registers/alarm", "9"]
-                assert "position         5000" in str(view.query_one("#motion", Static).render())
+                assert "position         5000" in str(view.motion.render())
                 assert not view.waiting
                 await pilot.press("p")
                 view.refresh_values()

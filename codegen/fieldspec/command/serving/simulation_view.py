@@ -29,15 +29,19 @@ class SimulationView(App[None]):
         super().__init__()
         self.simulation = simulation
         self.waiting: deque[str] = deque(maxlen=_MOST_LINES)
+        # Widgets are kept, not looked for: the clock also runs while the screen comes and goes.
+        self.signals: DataTable[str] = DataTable(id="signals", cursor_type="row")
+        self.motion = Static(id="motion")
+        self.traffic = RichLog(id="traffic", max_lines=_MOST_LINES)
         simulation.listeners.append(self._noted)
 
     def compose(self) -> ComposeResult:
         """The widgets."""
         yield Header()
         with Horizontal():
-            yield DataTable(id="signals", cursor_type="row")
-            yield Static(id="motion")
-        yield RichLog(id="traffic", max_lines=_MOST_LINES)
+            yield self.signals
+            yield self.motion
+        yield self.traffic
         yield Footer()
 
     def on_mount(self) -> None:
@@ -45,30 +49,27 @@ class SimulationView(App[None]):
         device = self.simulation.layout.device
         places = ", ".join(f"{link}: {place}" for link, place in self.simulation.places)
         self.title, self.sub_title = f"{device.name} {device.version}", places
-        table = self.query_one("#signals", DataTable)
-        table.add_column("role")
-        table.add_column("signal")
-        table.add_column("value", key="value")
+        self.signals.add_column("role")
+        self.signals.add_column("signal")
+        self.signals.add_column("value", key="value")
         for operand in self._watched():
-            table.add_row(", ".join(operand.roles), operand.path, "", key=operand.path)
+            self.signals.add_row(", ".join(operand.roles), operand.path, "", key=operand.path)
         self.set_interval(_PERIOD, self.refresh_values)
 
     def refresh_values(self) -> None:
         """Shows the present values and the traffic since the last time."""
         simulation = self.simulation
-        table = self.query_one("#signals", DataTable)
         with simulation.lock:
             simulation.engine.advance(simulation.now())
             for operand in self._watched():
                 cells = simulation.engine.cells.of(operand.path)
                 if cells:
-                    table.update_cell(operand.path, "value", str(cells[0].read()))
+                    self.signals.update_cell(operand.path, "value", str(cells[0].read()))
             axis = [f"{name:16} {real_text(float(simulation.engine.of_axis(name)))}" for name in AXIS_PROPERTIES]
             states = [f"{name:16} {state}" for name, state in simulation.engine.states.items()]
-        self.query_one("#motion", Static).update(visible_text("\n".join([f"{simulation.now():.1f} s", *states, *axis])))
-        log = self.query_one("#traffic", RichLog)
+        self.motion.update(visible_text("\n".join([f"{simulation.now():.1f} s", *states, *axis])))
         while self.waiting:
-            log.write(self.waiting.popleft())
+            self.traffic.write(self.waiting.popleft())
 
     def action_power(self) -> None:
         """Switches the device off and on."""
