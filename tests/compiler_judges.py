@@ -69,7 +69,7 @@ def commands(path: str, text: str | None = None) -> list[str]:
 def folders(package: Path = PACKAGE) -> list[str]:
     """All folders of the compiler with code that can be changed; `.` is the package itself."""
     names = sorted({path.relative_to(package).parent.as_posix() for path in package.rglob("*.py")})
-    return [name for name in names if any(True for _ in changeable(package, name))]
+    return [name for name in names if changeable(package, name)]
 
 
 @dataclass(frozen=True)

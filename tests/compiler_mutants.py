@@ -153,12 +153,11 @@ def mutants(package: Path, folder: str) -> tuple[Mutant, ...]:
     return tuple(result)
 
 
-def changeable(package: Path, folder: str) -> Iterator[str]:
+@cache
+def changeable(package: Path, folder: str) -> tuple[str, ...]:
     """The modules in a folder of the compiler that have a mutant."""
-    for path in sorted((package / folder).glob("*.py")):
-        name = path.relative_to(package).as_posix()
-        if any(True for _ in Source(name, path.read_bytes()).mutants()):
-            yield name
+    paths = {path.relative_to(package).as_posix(): path for path in sorted((package / folder).glob("*.py"))}
+    return tuple(name for name in paths if any(True for _ in Source(name, paths[name].read_bytes()).mutants()))
 
 
 def sample(package: Path, folder: str, count: int, seed: int) -> list[Mutant]:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
+import time
 from pathlib import Path
 
 import pytest
 
 from fieldspec.cli import main
+from fieldspec.command.builds import freshness
 
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 
@@ -106,3 +109,26 @@ def test_one_version_of_one_device_can_be_built(specs: Path, tmp_path: Path) -> 
 def test_an_unknown_device_version_or_output_is_wrong_use(arguments: list[str], specs: Path, tmp_path: Path) -> None:
     assert build(specs, tmp_path / "out", *arguments) == 2
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("settled", [freshness._SETTLED, -1])
+def test_a_file_of_the_same_size_and_date_is_hashed_again_when_it_has_changed(
+    settled: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(freshness, "_SETTLED", settled)
+    path = tmp_path / "file"
+    path.write_text("before", encoding="utf-8")
+    status = path.stat()
+    assert freshness.file_digest(tmp_path, "file") == freshness.digest(b"before")
+    time.sleep(0.05)  # the clock of files is coarse
+    path.write_text("behind", encoding="utf-8")
+    os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
+    assert freshness.file_digest(tmp_path, "file") == freshness.digest(b"behind")
+
+
+def test_a_file_that_has_not_changed_for_long_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").write_text("text", encoding="utf-8")
+    monkeypatch.setattr(freshness, "_SETTLED", -1)
+    hashed = freshness.file_digest(tmp_path, "file")
+    monkeypatch.delattr(freshness, "content")  # whoever reads a file, fails
+    assert freshness.file_digest(tmp_path, "file") == hashed

@@ -188,16 +188,18 @@ def positions() -> dict[tuple[str, type], list[Position]]:
     return by_class
 
 
-def with_changed(item: Any, path: tuple[Any, ...], value: Any) -> Any:
-    """A copy of a device with another value at the end of a path."""
-    if not path:
-        return value
-    step, *rest = path
+def with_changed(item: Any, values: Mapping[tuple[Any, ...], Any]) -> Any:
+    """A copy of a device with other values at the ends of some paths."""
+    if () in values:
+        return values[()]
+    inner: dict[Any, dict[tuple[Any, ...], Any]] = {}
+    for (step, *rest), value in values.items():
+        inner.setdefault(step, {})[tuple(rest)] = value
     if isinstance(item, Mapping):
-        return {key: with_changed(inner, tuple(rest), value) if key == step else inner for key, inner in item.items()}
+        return {key: with_changed(old, inner[key]) if key in inner else old for key, old in item.items()}
     if isinstance(item, tuple):
-        return tuple(with_changed(inner, tuple(rest), value) if at == step else inner for at, inner in enumerate(item))
-    return dataclasses.replace(item, **{step: with_changed(getattr(item, step), tuple(rest), value)})
+        return tuple(with_changed(old, inner[at]) if at in inner else old for at, old in enumerate(item))
+    return dataclasses.replace(item, **{step: with_changed(getattr(item, step), rest) for step, rest in inner.items()})
 
 
 def others(value: Any, hint: Any) -> Iterator[Any]:
@@ -287,19 +289,34 @@ NAMES = {"algorithm": ("lrc", "sum8"), "encoding": ("latin_1", "utf_8")}
 """Values of attributes that are names from a list."""
 
 
-def noticed(holder: str, noun: type, attribute: str) -> set[str]:
-    """The rules that notice another value of an attribute, wherever the class occurs."""
+def changed_devices(holder: str, noun: type, attribute: str) -> Iterator[tuple[Device, Device]]:
+    """Devices, each with a copy that has another value of an attribute, wherever the class occurs.
+
+    What no rule looks at is changed at all positions of a device at once.
+    """
     hint = hints(noun)[attribute]
-    rules: set[str] = set()
+    groups: dict[Any, list[tuple[tuple[Any, ...], list[Any]]]] = {}
+    compared: dict[Any, Device] = {}
     for device, _, item, path in positions()[holder, noun]:
+        old = getattr(item, attribute)
         # An algorithm without a name has no size, and an encoding without one no title.
-        for value in NAMES.get(attribute if noun in (Part, TextForm) else "", others(getattr(item, attribute), hint)):
-            if getattr(item, attribute) != value:
-                new = with_changed(device, (*path, attribute), value)
-                rules |= {change.rule for change in changes(device, new)}
-        if rules and not ignored(holder, noun, attribute):
-            break
-    return rules
+        values = NAMES.get(attribute if noun in (Part, TextForm) else "", others(old, hint))
+        group = id(device) if ignored(holder, noun, attribute) else (id(device), path)
+        compared[group] = device
+        groups.setdefault(group, []).append(((*path, attribute), [value for value in values if value != old]))
+    for group, places in groups.items():
+        for number in range(max(len(values) for _, values in places)):
+            new = {path: values[number] for path, values in places if number < len(values)}
+            yield compared[group], with_changed(compared[group], new)
+
+
+def noticed(holder: str, noun: type, attribute: str) -> set[str]:
+    """The rules that notice another value of an attribute."""
+    for device, changed in changed_devices(holder, noun, attribute):
+        rules = {change.rule for change in changes(device, changed)}
+        if rules:
+            return rules
+    return set()
 
 
 @pytest.mark.parametrize(("holder", "noun", "attribute"), CASES)

@@ -113,6 +113,17 @@ def test_what_is_no_manual_is_refused(run: CommandLine, folder: Path, data: byte
     assert recorded(folder).read_bytes() == before
 
 
+def test_a_text_with_a_tenth_of_the_lines_is_another_edition(run: CommandLine, folder: Path) -> None:
+    lines = [f"Line {number}\n" for number in range(7)]
+    longer, manual = gauge.MANUAL + "".join(lines), folder / "gauge.txt"
+    (folder / "specs/gauge/device.yaml").write_text(gauge.files(manual=longer)["gauge/device.yaml"], "utf-8")
+    manual.write_text(longer, "utf-8", newline="\n")
+    assert run("audit", "gauge", "--manual", str(manual), "--record").code == 0
+    for text, code in ((lines[0], 2), ("".join(lines[:2]), 1)):
+        manual.write_text(text, "utf-8", newline="\n")
+        assert run("audit", "gauge", "--manual", str(manual)).code == code
+
+
 def test_a_manual_with_a_byte_order_mark_is_the_manual(run: CommandLine, folder: Path) -> None:
     run("audit", "gauge", "--manual", str(folder / "gauge.txt"), "--record")
     marked = folder / "marked.txt"

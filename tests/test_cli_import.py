@@ -342,7 +342,7 @@ def test_an_exported_list_gives_back_constants_and_defaults_each_as_what_it_is(
 
 def test_cells_that_are_no_facts_and_bounds_in_counts_are_told(run: CommandLine, tmp_path: Path) -> None:
     path = tmp_path / "list.csv"
-    rows = ("Address;Name;Type;Unit;Scale;Min;Max", "1;Speed;INT16;rpm;0,1;;", "2;Heat;INT16;rpm;0.1;-40;125")
+    rows = ("Address;Name;Type;Unit;Scale;Min;Max", "1;Speed;INT16;rpm;1,5;;", "2;Heat;INT16;rpm;0.1;-40;125")
     path.write_text("\n".join(rows), "utf-8")
     result = run("import", str(path), "--to", str(run.folder / "drive" / "device.yaml"))
     assert (result.code, result.err) == (0, "")

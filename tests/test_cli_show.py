@@ -224,7 +224,10 @@ def test_a_text_that_means_several_items_shows_all(run: CommandLine) -> None:
             "there is no item of widget at 0x1002 (4098); the nearest are status_word at 0x1000",
         ),
         (["show", "widget", ""], "there is no item of widget "),
-        (["show", "glider-x", "0x3000"], "there is no item of glider-x at 0x3000"),
+        (
+            ["show", "glider-x", "0x3000"],
+            "there is no item of glider-x at 0x3000 (12288); the nearest are reference_speed at 0x2317",
+        ),
         (["show", "glider-x", "Xt100"], "there is no item of glider-x Xt100; did you mean Ut100?"),
         (["show", "nothing"], "there is no device nothing"),
         (["show"], "the following arguments are required"),

@@ -65,6 +65,22 @@ def test_single_frames_are_those_of_an_independent_library(length: int) -> None:
     assert REFERENCE["bus"].encode("request", "single_frame", values)[8:] == bytes(frame.data)
 
 
+@pytest.mark.parametrize("length", range(1, 8))
+@pytest.mark.parametrize("filler", [0xAA, 0xCC])
+def test_padded_frames_are_those_of_an_independent_library(length: int, filler: int) -> None:
+    address = isotp.Address(isotp.AddressingMode.Normal_11bits, txid=0x7E2, rxid=0x7EA)
+    frames: list[isotp.CanMessage] = []
+    options = {"tx_padding": filler, "tx_data_min_length": 8}
+    layer = isotp.TransportLayerLogic(lambda timeout: None, frames.append, address, params=options)
+    data = list(range(16, 16 + length))
+    layer.send(bytes(data))
+    layer.process()
+    values = {"control": length, "data": data, "padding": [filler] * (7 - length)}
+    frame = REFERENCE["bus"].encode("request", "padded_frame", values)
+    assert frame[8:] == bytes(frames[0].data)
+    assert REFERENCE["bus"].decode(frame, "request").values == values
+
+
 @pytest.mark.parametrize("control", [0, 1, 3, 0x13])
 def test_bits_that_do_not_count_the_elements_are_refused(control: int) -> None:
     with pytest.raises(CodecError, match="wrong_measure"):

@@ -6,6 +6,7 @@ import pytest
 
 from fieldspec.codec.explain.explanation import explained
 from fieldspec.codec.explain.readings import FrameOptions, read_frame, remarks_on
+from fieldspec.codec.explain.row import Spot
 from fieldspec.codec.reference import codec
 from random_devices.agreement import layouts_of
 from random_devices.fuzz import CASES
@@ -53,3 +54,8 @@ def test_the_size_of_a_frame_is_counted_as_those_of_messages_are(frame: str, siz
     assert list(remarks_on(layout, chosen, 0, options))[1] == (
         f"without its delimiters and escapes, the frame has {size}; limit_42 response has 0"
     )
+
+
+@pytest.mark.parametrize(("width", "text"), [(1, "byte 4"), (2, "byte 7")])
+def test_texts_count_the_bytes_and_characters_of_the_whole_frame(width: int, text: str) -> None:
+    assert Spot(bytes(9), start=1, width=width).byte_text(3) == text

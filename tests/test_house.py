@@ -63,7 +63,10 @@ HOMES = {
     "getpass": (),
     "datetime": ("tools/lists/workbook_writer.py",),  # workbooks have one that is the same in all of them
     # A review records the date of the day, and a simulation runs by a clock.
-    "time": ("command/verbs/build.py", "command/audit_inputs/audit_files.py", "tools/simulator/clock.py"),
+    "time": (
+        *("command/verbs/build.py", "command/audit_inputs/audit_files.py", "tools/simulator/clock.py"),
+        "command/builds/freshness.py",  # a time of a file counts once the clock has left it behind
+    ),
     "random": ("tools/simulator/faults.py", "command/packages/codec_loading.py"),  # judges have a fixed seed
     "uuid": ("targets/twincat/", "targets/plcopen/"),  # identifiers are computed from names and equal in every build
     "pickle": (),

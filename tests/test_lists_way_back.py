@@ -34,7 +34,7 @@ WITHOUT = (
         "sequencer",
         "sorter",
     ),
-    *("stamper", "tariff", "tracker", "turret"),
+    *("stamper", "tariff", "thermostat", "tracker", "turret"),
 )
 """Devices without registers and parameters."""
 

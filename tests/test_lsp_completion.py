@@ -114,6 +114,7 @@ OFFERED = {
         "[executing, |]",
         {"out_of_position"},
     ),
+    "a record with the same layout": ("esc11/points.yaml", "same_as: point", "same_as: |", {"point"}),
     "an address of the first row": (
         "tc100/registers-motion.yaml",
         "- at: 0x2000\n",

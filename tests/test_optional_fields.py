@@ -81,3 +81,22 @@ def test_fields_that_the_flags_do_not_say_are_refused(flags: int, fields: dict[s
 def test_bytes_that_the_flags_do_not_say_are_refused(data: str, reason: str) -> None:
     with pytest.raises(CodecError, match=reason):
         REFERENCE.decode(bytes.fromhex(data), "response")
+
+
+@pytest.mark.parametrize(("mask", "levels"), [(0, []), (0x0001, [5]), (0x1C04, [5]), (0x0300, []), (0xE000, [])])
+def test_any_of_several_bits_says_that_a_field_is_sent(mask: int, levels: list[int]) -> None:
+    reference = codec(ARMBAND).links["module"]
+    values = {"source_address": 1, "network_address": 2, "options": 1, "digital_mask": mask, "analogue_mask": 0}
+    values |= {name: [] for name in ("first_level", "second_level", "third_level", "fourth_level", "supply_voltage")}
+    frame = reference.encode("response", "samples", {**values, "digital_levels": levels})
+    module = link_of(module_of(ARMBAND), "module")
+    assert module.encode_response(module.decode_response(frame).message) == frame
+    with pytest.raises(CodecError, match="wrong_measure"):
+        reference.encode("response", "samples", {**values, "digital_levels": [] if levels else [5]})
+
+
+def test_a_list_ends_with_the_first_zero() -> None:
+    assert REFERENCE.decode(bytes.fromhex("55 05 80 00"), "response").values == {"intervals": [5, 0x80, 0]}
+    assert LINK.encode_response(LINK.decode_response(bytes.fromhex("55 05 80 00")).message).hex() == "55058000"
+    with pytest.raises(CodecError, match="wrong_length at byte 3"):
+        REFERENCE.decode(bytes.fromhex("55 05 00 07"), "response")

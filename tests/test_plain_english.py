@@ -11,35 +11,36 @@ from pathlib import Path
 
 import pytest
 
-from compiler_modules import PACKAGE, tree
+from compiler_modules import PACKAGE, nodes
 from english_patterns import hits
 
 ROOT = Path(__file__).resolve().parent.parent
+Nodes = tuple[ast.AST, ...]
 FINDINGS = (*ROOT.glob("tests/cases/*/*/expected.txt"), *ROOT.glob("tests/changes/*/expected.txt"))
 
 
-def _docstrings(module: ast.Module) -> Iterator[ast.Constant]:
+def _docstrings(module: Nodes) -> Iterator[ast.Constant]:
     """The docstrings of a module, its classes, functions and values."""
-    for node in ast.walk(module):
+    for node in module:
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             yield node.value
 
 
-def _messages(module: ast.Module) -> Iterator[str]:
+def _messages(module: Nodes) -> Iterator[str]:
     """The texts of a module that are no docstrings, each as a whole; a value in a text is one letter."""
     others = set(_docstrings(module))
-    for node in ast.walk(module):
+    for node in module:
         if isinstance(node, ast.JoinedStr):
             others.update(part for part in node.values if isinstance(part, ast.Constant))
             yield "".join(str(part.value) if isinstance(part, ast.Constant) else "`x`" for part in node.values)
-    for node in ast.walk(module):
+    for node in module:
         if isinstance(node, ast.Constant) and isinstance(node.value, str) and node not in others:
             yield node.value
 
 
-def _modules(folder: Path) -> Iterator[tuple[str, ast.Module]]:
+def _modules(folder: Path) -> Iterator[tuple[str, Nodes]]:
     for path in sorted(folder.rglob("*.py")):
-        yield str(path.relative_to(PACKAGE)), tree(path)
+        yield str(path.relative_to(PACKAGE)), nodes(path)
 
 
 def test_findings_are_in_plain_english() -> None:

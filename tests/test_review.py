@@ -64,12 +64,12 @@ def test_the_script_calls_verbs_with_options_that_they_have() -> None:
 
 
 class Repository:
-    """A git repository with the specs of one device, in which the script is run."""
+    """A git repository with the specs of one small device, in which the script is run."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        for name in ("protocols", "tc100"):
-            shutil.copytree(ROOT / "specs" / name, folder / "specs" / name)
+        for name in ("protocols", "gizmo"):
+            shutil.copytree(ROOT / "tests" / "specs" / name, folder / "specs" / name)
         (folder / "bin").mkdir()
         program = folder / "bin" / "fieldspec"
         program.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -m fieldspec "$@"\n', "utf-8")
@@ -81,12 +81,12 @@ class Repository:
     def git(self, *words: str) -> None:
         subprocess.run([require_tool("git"), *words], cwd=self.folder, check=True, capture_output=True)
 
-    def change(self, old: str, new: str) -> None:
-        """Changes the file of the parameters."""
-        path = self.folder / "specs" / "tc100" / "registers-parameters.yaml"
+    def rename(self) -> None:
+        """Gives a register another name."""
+        path = self.folder / "specs" / "gizmo" / "device.yaml"
         text = path.read_text("utf-8")
-        assert old in text
-        path.write_text(text.replace(old, new, 1), "utf-8")
+        assert "name: speed," in text
+        path.write_text(text.replace("name: speed,", "name: velocity,", 1), "utf-8")
 
     def review(self, **inputs: str) -> subprocess.CompletedProcess[str]:
         """Runs the script with some variables."""
@@ -107,21 +107,23 @@ def repository(tmp_path: Path) -> Repository:
     return Repository(tmp_path)
 
 
-def test_nothing_is_reported_where_nothing_has_changed(repository: Repository) -> None:
-    done = repository.review(BASE="HEAD", SARIF="out")
+def test_nothing_is_reported_where_nothing_has_changed_and_a_folder_may_begin_with_a_dash(
+    repository: Repository,
+) -> None:
+    done = repository.review(BASE="HEAD", SARIF="-out")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     for name in ("check", "diff"):
-        sarif = json.loads((repository.folder / "out" / f"{name}.sarif").read_text("utf-8"))
+        sarif = json.loads((repository.folder / "-out" / f"{name}.sarif").read_text("utf-8"))
         assert sarif["runs"][0]["results"] == []
 
 
 def test_a_breaking_change_is_annotated_and_fails(repository: Repository) -> None:
-    repository.change("position_correction_speed_limit", "correction_speed_limit")
+    repository.rename()
     summary = repository.folder / "summary.md"
     done = repository.review(BASE="HEAD", SARIF="out", GITHUB_STEP_SUMMARY=str(summary))
     assert done.returncode == 1, done.stderr
     (line,) = [line for line in done.stdout.splitlines() if line.startswith("::error")]
-    assert "file=specs/tc100/registers-parameters.yaml" in line
+    assert "file=specs/gizmo/device.yaml" in line
     assert "renamed" in line
     sarif = json.loads((repository.folder / "out" / "diff.sarif").read_text("utf-8"))
     assert [entry["ruleId"] for entry in sarif["runs"][0]["results"]] == ["renamed"]
@@ -129,7 +131,7 @@ def test_a_breaking_change_is_annotated_and_fails(repository: Repository) -> Non
 
 
 def test_no_change_fails_the_review_unless_an_option_says_so(repository: Repository) -> None:
-    repository.change("position_correction_speed_limit", "correction_speed_limit")
+    repository.rename()
     assert repository.review(BASE="HEAD", FAIL_ON="none").returncode == 0
     assert repository.review(BASE="HEAD", FAIL_ON="any").returncode == 1
 
@@ -171,11 +173,6 @@ def test_no_input_is_an_option_or_writes_a_reference(
     assert "usage:" not in done.stdout
     assert not (repository.folder / "planted").exists()
     assert not (repository.folder / ".git" / "refs" / "heads" / "planted").exists()
-
-
-def test_a_folder_for_findings_may_begin_with_a_dash(repository: Repository) -> None:
-    assert repository.review(BASE="HEAD", SARIF="-out").returncode == 0
-    assert (repository.folder / "-out" / "diff.sarif").is_file()
 
 
 def test_a_base_that_only_the_origin_has_is_fetched(

@@ -8,24 +8,22 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-import fieldspec
+from compiler_modules import PACKAGE, nodes
 from fieldspec.command import rules
 from fieldspec.language import checks
 
-PACKAGE = Path(fieldspec.__file__).parent
 PAGE = Path(__file__).parent.parent / "docs" / "checks.md"
 GIVE_FINDINGS = ("because", "Diagnostic", "finding", "refuse", "_refuse")
 
 
 def codes(path: Path) -> Iterator[str]:
     """The codes of the findings of a module: the texts that reach the first argument of a call in `GIVE_FINDINGS`."""
-    tree = ast.parse(path.read_text("utf-8"))
     assigned: dict[str, list[ast.expr]] = {}
-    for node in ast.walk(tree):
+    for node in nodes(path):
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
             assigned.setdefault(node.targets[0].id, []).append(node.value)
-    others = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and not takes_code(node)}
-    for node in ast.walk(tree):
+    others = {node.name for node in nodes(path) if isinstance(node, ast.FunctionDef) and not takes_code(node)}
+    for node in nodes(path):
         if isinstance(node, ast.Call) and node.args and called(node) in GIVE_FINDINGS and not is_other(node, others):
             yield from texts(node.args[0], assigned)
 

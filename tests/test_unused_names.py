@@ -5,9 +5,9 @@ from __future__ import annotations
 import ast
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from compiler_modules import MODULES, inside, tree
+from compiler_modules import MODULES, inside, nodes, tree
 
 USED_ELSEWHERE = {
     "add_live": "cli.py joins the name of each verb after `add_`",
@@ -34,15 +34,15 @@ def defined(module: ast.Module) -> Iterator[tuple[str, ast.stmt]]:
             )
 
 
-def read(part: ast.AST) -> Counter[str]:
+def read(part: Iterable[ast.AST]) -> Counter[str]:
     """How often each name is read."""
-    return Counter(node.id for node in ast.walk(part) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load))
+    return Counter(node.id for node in part if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load))
 
 
-def named_from_outside(trees: list[ast.Module]) -> set[str]:
+def named_from_outside(modules: Iterable[ast.AST]) -> set[str]:
     """The names that modules import, read as attributes, or have in a text, as lazy imports of the command line do."""
     names: set[str] = set()
-    for node in (node for module in trees for node in ast.walk(module)):
+    for node in modules:
         if isinstance(node, ast.ImportFrom):
             names |= {alias.name for alias in node.names}
         elif isinstance(node, ast.Attribute):
@@ -53,12 +53,12 @@ def named_from_outside(trees: list[ast.Module]) -> set[str]:
 
 
 def test_every_name_that_a_module_defines_is_used() -> None:
-    outside = named_from_outside([tree(path) for path in MODULES])
+    outside = named_from_outside(node for path in MODULES for node in nodes(path))
     unused = set()
     for path in MODULES:
-        reads = read(tree(path))
+        reads = read(nodes(path))
         for name, definition in defined(tree(path)):
-            if name not in outside and not name.startswith("__") and reads[name] == read(definition)[name]:
+            if name not in outside and not name.startswith("__") and reads[name] == read(ast.walk(definition))[name]:
                 unused.add((name, inside(path)))
     assert {(name, path) for name, path in unused if name not in USED_ELSEWHERE} == set()
     assert USED_ELSEWHERE.keys() - {name for name, _ in unused} == set()

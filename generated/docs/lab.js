@@ -675,15 +675,16 @@ function wholeBounds(count, signed) {
   }
 }
 
-function decidingBits({ mask, numbers }, number) {
+const countInBits = ({ mask }, number) => ((Number(number) & mask) >>> 0) / ((mask & -mask) >>> 0);
+
+function isMet({ mask, numbers }, number) {
   const bits = (Number(number) & mask) >>> 0;
-  return numbers.length ? bits : bits / ((mask & -mask) >>> 0);
+  return numbers.length ? numbers.includes(bits) : bits > 0;
 }
 
 function fits(presence, number, elements) {
   const { numbers, unit, plus } = presence;
-  const bits = decidingBits(presence, number);
-  return numbers.length ? numbers.includes(bits) === elements > 0 : bits === elements * unit + plus;
+  return numbers ? isMet(presence, number) === elements > 0 : countInBits(presence, number) === elements * unit + plus;
 }
 
 const bitsText = ({ mask }, content) => `${content} in bits ${31 - Math.clz32(mask & -mask)}..${31 - Math.clz32(mask)}`;
@@ -692,8 +693,8 @@ function countedBytes(list, bytes) {
   const { length, unit, plus = 0, most, element, presence, more } = list;
   if (!length) return more ? element : most;
   let number = listNumber(list, bytes);
-  if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
-  if (presence) number = decidingBits(presence, number);
+  if (presence?.numbers) return isMet(presence, number) ? element : 0;
+  if (presence) number = countInBits(presence, number);
   return (number - plus) * unit;
 }
 
@@ -713,7 +714,7 @@ function setListNumber({ name, at, length, little }, bytes, number) {
   for (let place = 0; place < length; place++) bytes[at + (little ? place : length - 1 - place)] = number / 256 ** place & 255;
 }
 
-const follows = (more, bytes) => more.numbers.includes(decidingBits(more, listNumber(more, bytes)));
+const follows = (more, bytes) => isMet(more, listNumber(more, bytes));
 
 function elementsInImage({ element, most, more }, image, start) {
   let count = 1;
@@ -727,6 +728,14 @@ function decidedBytes({ at, length, little, mask, sizes }, bytes) {
     number = (number << 8n) | BigInt(bytes[at + (little ? length - 1 - place : place)]);
   }
   return sizes[String(mask === undefined ? number : number & BigInt(mask))];
+}
+
+function decidedExtent(inner, list, fields, extents) {
+  const size = decidedBytes(list.decision, fields);
+  if (size === undefined) return { fault: { reason: "unknown_value", at: placeAround(inner, extents, list.decision.at) } };
+  const number = list.sentPlus === undefined ? size : listNumber(list, fields) - list.sentPlus;
+  if (number !== size && !(number >= 0 && number <= -size)) return { fault: numberFault(inner, extents, list) };
+  return { size: number, elements: [number], isText: size < 0 };
 }
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
@@ -776,12 +785,7 @@ function elementIn(parts, bytes) {
     const at = list.first + before;
     if (bytes.length < at) break;
     fields.push(...bytes.subarray(fields.length + before, at));
-    const size = list.sentPlus === undefined ? sizeIn(list, fields) : measuredBytes(list, fields);
-    if (size === undefined) return { fault: numberFault(parts, extents, list) };
-    const elements = list.decision ? [size] : [];
-    const extent = list.sentPlus !== undefined && at + size <= bytes.length
-      ? measuredIn(parts, list, bytes.subarray(at, at + size), at, extents)
-      : list.parts && list.sentPlus === undefined ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements };
+    const extent = list.decision ? decidedExtent(parts, list, fields, extents) : listIn(parts, list, fields, bytes, at, extents);
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
@@ -789,15 +793,21 @@ function elementIn(parts, bytes) {
   return { size: parts.fixed + before };
 }
 
+function listIn(parts, list, fields, bytes, at, extents) {
+  const isMeasured = list.sentPlus !== undefined;
+  const size = isMeasured ? measuredBytes(list, fields) : sizeIn(list, fields);
+  if (size === undefined) return { fault: numberFault(parts, extents, list) };
+  if (isMeasured && at + size <= bytes.length) return measuredIn(parts, list, bytes.subarray(at, at + size), at, extents);
+  return list.parts && !isMeasured ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements: [] };
+}
+
 function sizeIn(list, image) {
-  if (list.decision) return decidedBytes(list.decision, image);
   const size = countedBytes(list, image);
   return isRight(list, size) ? size : undefined;
 }
 
-function numberFault(inner, extents, { at, decision }) {
-  const reason = decision ? "unknown_value" : "wrong_measure";
-  return { reason, at: placeAround(inner, extents, decision ? decision.at : at) };
+function numberFault(inner, extents, { at }) {
+  return { reason: "wrong_measure", at: placeAround(inner, extents, at) };
 }
 
 function elementBytes(parts, bytes) {
@@ -841,17 +851,18 @@ function extentsIn({ fixed, lists }, data) {
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
-    let counted = isLast && !list.decision && !list.more ? null : sizeIn(list, image);
-    if (list.sentPlus !== undefined) {
+    const decided = list.decision && decidedExtent({ fixed, lists }, list, image, extents);
+    let counted = decided || (isLast && !list.more) ? null : sizeIn(list, image);
+    if (list.sentPlus !== undefined && !decided) {
       const sent = measuredBytes(list, image);
       counted = isLast && sent !== left ? undefined : sent;
       if (counted > left) return { extents, fault: { reason: "incomplete", at: data.length } };
       if (counted !== undefined) [left, counted] = [counted, null];
     }
     if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
-    const extent = list.sentPlus !== undefined
+    const extent = decided ?? (list.sentPlus !== undefined
       ? measuredIn({ fixed, lists }, list, data.subarray(at, at + left), at, extents)
-      : list.parts ? elementsIn(list, data.subarray(at, at + left), counted, at) : { size: counted === null ? left : sentListBytes(list, counted), elements: list.decision ? [counted] : [] };
+      : list.parts ? elementsIn(list, data.subarray(at, at + left), counted, at) : { size: counted === null ? left : sentListBytes(list, counted), elements: [] });
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
     if (list.packing) {
@@ -911,6 +922,18 @@ function imageOf({ fixed, lists }, data, extents) {
   return image;
 }
 
+function refuseZeros({ lists }, extents, data, offset) {
+  const { parts, decision, packing } = lists.at(-1);
+  if (!parts && !decision && !packing && !isRight(lists.at(-1), extents.at(-1).size)) return;
+  let before = 0;
+  for (const [number, { size, isText }] of extents.entries()) {
+    const { name, first } = lists[number];
+    const at = first + before;
+    if (isText && data.subarray(at, at + size).includes(0)) throw new CodecError("unknown_value", `${name} has a zero`, offset + at);
+    before += size;
+  }
+}
+
 function readAround(inner, read, bytes, offset, end) {
   const data = bytes.subarray(offset, end);
   const { extents, fault } = extentsIn(inner, data);
@@ -918,6 +941,7 @@ function readAround(inner, read, bytes, offset, end) {
     const { name } = inner.lists[extents.length];
     throw new CodecError(fault.reason, `${name} has a different number of bytes`, offset + fault.at);
   }
+  refuseZeros(inner, extents, data, offset);
   const image = imageOf(inner, data, extents);
   try {
     return read(image, 0, image.length);
@@ -927,10 +951,17 @@ function readAround(inner, read, bytes, offset, end) {
   }
 }
 
+function textBytes(image) {
+  let size = image.length;
+  while (size > 0 && image[size - 1] === 0) size--;
+  return size;
+}
+
 function sentOfImage({ fixed, lists }, image, last) {
   const fields = image.slice(0, fixed);
   const lengths = lists.map((list) => {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
+    if (decided < 0) return textBytes(image.subarray(list.room, list.room - decided));
     if (decided !== undefined || list === lists.at(-1)) return decided ?? last;
     return countedBytes(list, image) * (list.more ? elementsInImage(list, image, list.room) : 1);
   });
@@ -1696,7 +1727,6 @@ function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
 }
 
 
-const [BIT, BYTE, WORD] = ["bit", "byte", "word"];
 const [CAN_EXTENDED, CAN_REMOTE, CAN_HEADER] = [2 ** 31, 2 ** 30, 8];
 const EscapeError = CodecError;
 
@@ -1725,7 +1755,7 @@ class Escape {
   }
 
   byteText(position) {
-    return this.method === "can" ? `byte ${position - this.fieldsSize} of the data` : `byte ${position}`;
+    return `byte ${position - this.fieldsSize} of the data`;
   }
 
   most(size) {
@@ -1802,6 +1832,107 @@ class FrameLayout {
   }
 }
 
+class LinkLayout {
+  constructor(data, messages) {
+    const { carried, ...rest } = data;
+    const { exception, addresses, preamble } = rest;
+    Object.assign(this, { ...rest, indexes: {}, link: this, messages, openings: py.dict(Object.entries(data.openings ?? {})) });
+    this.isCan = data.request.escape?.method === "can";
+    this.delimiters = Object.fromEntries(Object.entries(data.delimiters).map(([direction, marks]) => [direction, marks.map(bytesOfHex)]));
+    [this.request, this.response] = [new FrameLayout(data.request), new FrameLayout(data.response)];
+    this.escape = this.request.escape;
+    this.carriedMessages = Object.fromEntries(Object.entries(carried)
+      .map(([direction, names]) => [direction, py.dict(names.map((name) => [name, messages.get(name)]))]));
+    this.preamble = preamble && { ...preamble, surplus: (frame) => preambleSurplus(preamble, frame) };
+    this.exceptionResponse = exception && { ...exception, isMarked: (code, numbers) => isException(exception, code, numbers) };
+    this.mark = exception?.mark && { isIn: (bytes) => py.equal(bytes.subarray(exception.mark.offset, exception.mark.offset + exception.mark.bytes.length), Uint8Array.from(exception.mark.bytes)) };
+    this.unitAddresses = addresses && { ...addresses, ranges: addresses.ranges && new Ranges(addresses.ranges) };
+    this.hasUncodedExceptions = Boolean(exception) && !this.response.role("code");
+    this.subcodes = Object.fromEntries(Object.entries(data.subcodes).map(([direction, shared]) => [direction, new Map(shared.map((own) => [
+      own.code, { ...own, named: new Map(own.messages.map(([number, name]) => [number, messages.get(name)])) },
+    ]))]));
+  }
+
+  frame(direction) {
+    return this[direction];
+  }
+
+  marks(direction) {
+    return this.delimiters[direction];
+  }
+
+  carried(direction) {
+    return this.carriedMessages[direction];
+  }
+
+  directionName(direction) {
+    return this.directionNames[direction];
+  }
+
+  codeText({ name }, direction) {
+    return this.codes[direction][name];
+  }
+
+  byCode(carrying, direction) {
+    const index = (this.indexes[`${carrying} ${direction}`] ??= new Map());
+    for (const message of index.size ? [] : this.carried(carrying).values()) {
+      const code = message.codeOf(direction);
+      index.set(code, [...(index.get(code) ?? []), message]);
+    }
+    return index;
+  }
+
+  ambiguousCodes(direction) {
+    const codes = direction === "response" ? this.ambiguous ?? [] : [];
+    return (this.indexes[direction] ??= py.dict(codes.map((code) => [code, this.byCode(direction, direction).get(code)])));
+  }
+
+  isGuessed(direction, message) {
+    return !this[direction].role("code") || this.ambiguousCodes(direction).has(this.messages.get(message)?.codeOf(direction));
+  }
+
+  messageWithCode(code, direction, data, asked) {
+    const messages = this.byCode(direction, direction).get(exactWhole(code)) ?? [];
+    if (messages.length < 2) return messages[0];
+    if (this.ambiguousCodes(direction).has(exactWhole(code))) return messages.find(({ name }) => name === asked);
+    const shared = this.subcodes[direction].get(exactWhole(code));
+    if (!shared) return undefined;
+    if (data.length < shared.offset + shared.size) return shared.named.values().next().value;
+    return shared.named.get(exactWhole(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
+  }
+
+  refusedMessage(code, asked) {
+    const messages = this.byCode("request", "response").get(exactWhole(code)) ?? [];
+    return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
+  }
+}
+
+function preambleSurplus({ byte, least, most }, frame) {
+  const other = frame.findIndex((own) => own !== byte);
+  return Math.max(0, Math.min((other < 0 ? frame.length : other) - least, most - least));
+}
+
+function isException({ code: own, flag, part, normal }, code, numbers) {
+  if (part) return numbers.has(part) && !isWithin(normal, numbers.get(part));
+  return own === undefined ? onBits(code, flag, (bits, mask) => bits & mask) !== 0 : code === own;
+}
+
+const repeatedParts = (link) => link.repeated.map((names) => names.map((name) => ({ name })));
+
+const canFrameBytes = (identifier, isExtended, isRemote, dlc, data) => canBytes({ identifier, isExtended, isRemote, dlc, data });
+
+
+const [BIT, BYTE, WORD] = ["bit", "byte", "word"];
+
+const presenceLayout = (presence) => ({
+  unit: 1,
+  plus: 0,
+  ...presence,
+  numbers: Boolean(presence.numbers),
+  fits: (number, items) => fits(presence, number, items),
+  bitsText: (content) => bitsText(presence, content),
+});
+
 function fieldLayout(field, inner) {
   const { repeat, measures, presence, count, valueBytes = [] } = field;
   const [set, part, number] = field.value?.parameter ?? [];
@@ -1820,9 +1951,7 @@ function fieldLayout(field, inner) {
     splitsRecord: field.cases,
     varies: Boolean(inner?.lists.some((list) => list.name === field.name)),
     countsSent: Boolean(inner?.lists.some((list) => list.sentPlus !== undefined && list.countName === field.name)),
-    presence: presence && {
-      unit: 1, plus: 0, ...presence, fits: (number, items) => fits(presence, number, items), bitsText: (content) => bitsText(presence, content),
-    },
+    presence: presence && presenceLayout(presence),
   };
 }
 
@@ -1836,7 +1965,7 @@ class InnerLists {
       plus: list.plus ?? 0,
       continuation: list.more,
       packing: list.packing && { number: list.packing },
-      presence: list.presence && { ...list.presence, bitsText: (content) => bitsText(list.presence, content) },
+      presence: list.presence && presenceLayout(list.presence),
     }));
   }
 
@@ -1916,81 +2045,6 @@ class Message {
   }
 }
 
-class LinkLayout {
-  constructor(data, messages) {
-    const { carried, ...rest } = data;
-    const { exception, addresses, preamble } = rest;
-    Object.assign(this, { ...rest, indexes: {}, link: this, messages, openings: py.dict(Object.entries(data.openings ?? {})) });
-    this.isCan = data.request.escape?.method === "can";
-    this.delimiters = Object.fromEntries(Object.entries(data.delimiters).map(([direction, marks]) => [direction, marks.map(bytesOfHex)]));
-    [this.request, this.response] = [new FrameLayout(data.request), new FrameLayout(data.response)];
-    this.escape = this.request.escape;
-    this.carriedMessages = Object.fromEntries(Object.entries(carried)
-      .map(([direction, names]) => [direction, py.dict(names.map((name) => [name, messages.get(name)]))]));
-    this.preamble = preamble && { ...preamble, surplus: (frame) => preambleSurplus(preamble, frame) };
-    this.exceptionResponse = exception && { ...exception, isMarked: (code, numbers) => isException(exception, code, numbers) };
-    this.mark = exception?.mark && { isIn: (bytes) => py.equal(bytes.subarray(exception.mark.offset, exception.mark.offset + exception.mark.bytes.length), Uint8Array.from(exception.mark.bytes)) };
-    this.unitAddresses = addresses && { ...addresses, ranges: addresses.ranges && new Ranges(addresses.ranges) };
-    this.hasUncodedExceptions = Boolean(exception) && !this.response.role("code");
-    this.subcodes = Object.fromEntries(Object.entries(data.subcodes).map(([direction, shared]) => [direction, new Map(shared.map((own) => [
-      own.code, { ...own, named: new Map(own.messages.map(([number, name]) => [number, messages.get(name)])) },
-    ]))]));
-  }
-
-  frame(direction) {
-    return this[direction];
-  }
-
-  marks(direction) {
-    return this.delimiters[direction];
-  }
-
-  carried(direction) {
-    return this.carriedMessages[direction];
-  }
-
-  directionName(direction) {
-    return this.directionNames[direction];
-  }
-
-  codeText({ name }, direction) {
-    return this.codes[direction][name];
-  }
-
-  byCode(carrying, direction) {
-    const index = (this.indexes[`${carrying} ${direction}`] ??= new Map());
-    for (const message of index.size ? [] : this.carried(carrying).values()) {
-      const code = message.codeOf(direction);
-      index.set(code, [...(index.get(code) ?? []), message]);
-    }
-    return index;
-  }
-
-  ambiguousCodes(direction) {
-    const codes = direction === "response" ? this.ambiguous ?? [] : [];
-    return (this.indexes[direction] ??= py.dict(codes.map((code) => [code, this.byCode(direction, direction).get(code)])));
-  }
-
-  isGuessed(direction, message) {
-    return !this[direction].role("code") || this.ambiguousCodes(direction).has(this.messages.get(message)?.codeOf(direction));
-  }
-
-  messageWithCode(code, direction, data, asked) {
-    const messages = this.byCode(direction, direction).get(exactWhole(code)) ?? [];
-    if (messages.length < 2) return messages[0];
-    if (this.ambiguousCodes(direction).has(exactWhole(code))) return messages.find(({ name }) => name === asked);
-    const shared = this.subcodes[direction].get(exactWhole(code));
-    if (!shared) return undefined;
-    if (data.length < shared.offset + shared.size) return shared.named.values().next().value;
-    return shared.named.get(exactWhole(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
-  }
-
-  refusedMessage(code, asked) {
-    const messages = this.byCode("request", "response").get(exactWhole(code)) ?? [];
-    return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
-  }
-}
-
 const placedValue = (value) => ({ ...value, forWriting: () => forWriting(value), writeSwapped: (isSwapped) => isSwapped });
 
 class RegisterLayout {
@@ -2032,25 +2086,21 @@ class ByIdentity {
   }
 }
 
-function preambleSurplus({ byte, least, most }, frame) {
-  const other = frame.findIndex((own) => own !== byte);
-  return Math.max(0, Math.min((other < 0 ? frame.length : other) - least, most - least));
-}
-
-function isException({ code: own, flag, part, normal }, code, numbers) {
-  if (part) return numbers.has(part) && !isWithin(normal, numbers.get(part));
-  return own === undefined ? onBits(code, flag, (bits, mask) => bits & mask) !== 0 : code === own;
-}
-
 const extents = extentsOf;
 const packedSize = (count) => Math.ceil(Number(count) / 8);
 
-const repeatedParts = (link) => link.repeated.map((names) => names.map((name) => ({ name })));
 const citations = (source) => (Array.isArray(source) ? source.join("; ") : source ?? "");
 
-const unpackedBits = (bytes) => [...bytes].flatMap((byte) => Array.from({ length: 8 }, (_, bit) => (byte >> bit) & 1));
+const hasWordDigits = ({ value }) => Boolean(value?.digits);
 
-const canFrameBytes = (identifier, isExtended, isRemote, dlc, data) => canBytes({ identifier, isExtended, isRemote, dlc, data });
+function wordBytes(field, digits) {
+  if (!hasWordDigits(field)) return digits;
+  const letters = field.value.digits === "upper_hex" ? /^[0-9A-F]*/ : /^[0-9a-f]*/;
+  const { length } = letters.exec(latinOf(digits))[0];
+  return bytesOfHex(latinOf(digits.subarray(0, length - length % field.size)));
+}
+
+const unpackedBits = (bytes) => [...bytes].flatMap((byte) => Array.from({ length: 8 }, (_, bit) => (byte >> bit) & 1));
 
 const optionText = (name) => name.replaceAll("_", "-");
 
@@ -2206,6 +2256,8 @@ function examplesOfBytes(device, frame) {
 function memberOf(listing, number) {
   return typeof number === "number" && !Number.isInteger(number) ? undefined : listing.numbers.get(BigInt(number));
 }
+
+const ACCEPTED = ["", "out_of_range"];
 
 const EXACT_DIGITS = 120;
 
@@ -2470,7 +2522,10 @@ class Spot {
   }
 
   byteText(position) {
-    return this.escape == null ? `byte ${position}` : this.escape.byteText(position);
+    if (this.escape != null && this.escape.method === "can") {
+      return this.escape.byteText(position);
+    }
+    return `byte ${this.place(position, 0)[0]}`;
   }
 
   place(position, length) {
@@ -2806,8 +2861,8 @@ class Piece {
 }
 
 class Span {
-  constructor({ space, address, words, at, data, bits = null, unitSize = 2 }) {
-    Object.assign(this, { space, address, words, at, data, bits, unitSize });
+  constructor({ space, address, words, at, data, bits = null, unitSize = 2, digits = Uint8Array.of() }) {
+    Object.assign(this, { space, address, words, at, data, bits, unitSize, digits });
   }
 
   get end() {
@@ -2827,6 +2882,13 @@ class Span {
       return null;
     }
     const content = py.slice(this.data, start, start + size);
+    if (py.truth(this.digits)) {
+      return new Piece({
+        at: this.at + (2 * start),
+        raw: py.slice(this.digits, 2 * start, 2 * (start + size)),
+        content,
+      });
+    }
     return new Piece({ at: this.at + start, raw: content, content });
   }
 
@@ -2890,9 +2952,13 @@ function* accessedSpans(layout, message, record, body, values, requestValues) {
     }
     const isCarried = isSingle || (access.operation === "read") === isResponse;
     const field = isCarried ? record.named(access.values) : null;
-    const [offset, carried] = field != null ? [field.offset, py.slice(data, field.offset, field.end)] : [0, Uint8Array.of()];
+    const [offset, content] = field != null ? [field.offset, py.slice(data, field.offset, field.end)] : [0, Uint8Array.of()];
+    const carried = field != null ? wordBytes(field, content) : Uint8Array.of();
     const own = (isSingle || !isResponse) ? values : py.dict([]);
-    const span = accessed(layout.device, access, own, py.either(requestValues, () => py.dict([])), start + offset, carried);
+    let span = accessed(layout.device, access, own, py.either(requestValues, () => py.dict([])), start + offset, carried);
+    if (span != null && field != null && py.truth(hasWordDigits(field))) {
+      span = py.replace(span, { digits: content });
+    }
     if (span != null) {
       yield [access, span];
     }
@@ -3455,7 +3521,7 @@ class Body {
     let high, low;
     const measure = field.field.measures;
     const other = this.record.named(py.either(field.bitsOf, () => (measure != null ? measure.field : "")));
-    if (other == null || py.truth(other.cases)) {
+    if (other == null || py.truth(other.splitsRecord)) {
       return read;
     }
     const inner = this.record.innerLists;
@@ -3494,7 +3560,10 @@ class Body {
   _deciding(field, read) {
     for (const other of this.record.fields) {
       const [presence, number] = [other.presence, read.number];
-      if (read.reason || presence == null || presence.by !== field.name || !py.isWhole(number)) {
+      if (presence == null || presence.by !== field.name) {
+        continue;
+      }
+      if (!py.has(ACCEPTED, read.reason) || !py.isWhole(number)) {
         continue;
       }
       const items = this.record.innerLists == null ? this._itemsAtEnd(other) : this._itemsIfKnown(other);
@@ -3541,8 +3610,6 @@ class Body {
 }
 
 
-const EXPLAINED_FRAME_ACCEPTED = ["", "out_of_range"];
-
 class Explanation {
   constructor({ link, direction, message, error, frame, rows, registerRows, values, errata = [], accessed = null }) {
     Object.assign(this, { link, direction, message, error, frame, rows, registerRows, values, errata, accessed });
@@ -3553,7 +3620,7 @@ class Explanation {
   }
 
   get reasons() {
-    return [...this.rows].filter((row) => !py.has(EXPLAINED_FRAME_ACCEPTED, row.reason)).map((row) => row.reason);
+    return [...this.rows].filter((row) => !py.has(ACCEPTED, row.reason)).map((row) => row.reason);
   }
 }
 
@@ -5271,6 +5338,7 @@ async function copyText(text, button) {
 
 
 const COLUMNS = ["At", "Bytes", "Field", "Label", "Raw", "Value", "Meaning", "Check", "Manual"];
+const CHARACTER_DIGITS = new Set(["decimal", "upper_hex", "lower_hex"]);
 const REGISTER_COLUMNS = ["Address", "Bytes", "Register", "Label", "Raw", "Value", "Meaning", "Check", "Manual"];
 
 class FrameTable {
@@ -5372,15 +5440,16 @@ class FrameTable {
     const { access, [direction]: record } = device.messages.get(message) ?? {};
     const fields = error ? [] : record?.fields ?? [];
     const isHexadecimal = ({ name, value }) => {
-      if (value?.flags) return true;
+      if (!value || CHARACTER_DIGITS.has(value.digits)) return false;
+      if (value.flags || name === access?.start) return true;
       const row = rows.find(({ path }) => path === name);
-      if (value?.parameter?.part !== "number" || !isWhole(row?.number ?? "")) return false;
+      if (value.parameter?.part !== "number" || !isWhole(row?.number ?? "")) return false;
       const [own] = device.parameterAt(value.parameter.set, row.number) ?? [];
       return !own || Boolean(own.digits || own.base);
     };
     return {
       hidden: frame.checksums.map(({ name }) => name),
-      hexadecimal: [code?.name, access?.start, ...fields.filter(isHexadecimal).map(({ name }) => name)],
+      hexadecimal: [code?.name, ...fields.filter(isHexadecimal).map(({ name }) => name)],
     };
   }
 

@@ -9,11 +9,13 @@ import random
 import sys
 import time
 from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from fieldspec.cli import main
 from fieldspec.codec.reference import CodecError
 from fieldspec.tools.carriers.carrier import CarrierError
 from fieldspec.tools.live.client import Client, NoAnswerError, RefusedError, Timing
@@ -28,7 +30,7 @@ from fieldspec.tools.live.messages import (
 from fieldspec.tools.live.writing import WriteError
 from fieldspec.tools.simulator.clock import ManualClock
 from fieldspec.tools.simulator.faults import KINDS, Fault, Faults
-from simulators import Unit
+from simulators import SPECS, Unit
 from wires import Wire
 
 HOURS = float(os.environ.get("FIELDSPEC_SOAK_HOURS", "0.01"))
@@ -196,3 +198,15 @@ def test_a_device_stands_random_requests_and_faults(device: str, link: str, mess
     assert totals["requests"] > HOURS * 3600 / 3
     assert totals["values"] > totals["requests"] * 0.15
     assert growth < 1_000
+
+
+def test_a_device_that_is_served_frees_what_requests_leave(monkeypatch: pytest.MonkeyPatch) -> None:
+    is_freed: list[bool] = []
+
+    def commands() -> Iterator[str]:
+        is_freed.append(gc.isenabled())
+        yield from ()
+
+    monkeypatch.setattr(sys, "stdin", commands())
+    assert main(["simulate", "tc100", "--port", "rtu=tcp://127.0.0.1:0", "--control", "--specs", SPECS]) == 0
+    assert is_freed == [True]

@@ -127,11 +127,13 @@ class Captures:
                 continue
             unit = device.space(access.space).unit_size
             units = [data[place : place + unit] for place in range(0, len(data), unit)]
-            order = message.response.named(access.values)
-            assert order is not None
-            numbers = [int.from_bytes(each, "little" if order.order == "little" else "big") for each in units]
+            words = message.response.named(access.values)
+            assert words is not None
+            assert words.value is not None
+            is_little = words.value.is_low_first if words.value.digits else words.order == "little"
+            numbers = [int.from_bytes(each, "little" if is_little else "big") for each in units]
             asked = {access.start: register.address} | ({access.count: len(units)} if access.count else {})
-            answered = {access.values: numbers if order.is_list else numbers[0]}
+            answered = {access.values: numbers if words.is_list else numbers[0]}
             dice = _Least(0)
             try:
                 return [
@@ -157,7 +159,8 @@ class Captures:
         if reason:
             assert row["verdict"] == reason, f"{name} {data.hex(' ')} is {row['verdict']}, not {reason}"
             return
-        leaf = Leaf(name, own.value, raw, register.order, register.swapped, own.reserved)
+        is_reserved = own.reserved and not isinstance(raw, str)
+        leaf = Leaf(name, own.value, raw, register.order, register.swapped, is_reserved)
         assert_row(self.layout.device, f"{name} {data.hex(' ')}", leaf, row, own.trigger)
 
     # Tables

@@ -149,7 +149,10 @@ def _part(draft: Draft, role: str, kind: str, **keys: object) -> Spec:
 
 
 def _body(draft: Draft, room: int) -> list[Spec]:
-    """Fields that take some bytes at the most."""
+    """Fields that take some bytes at the most; now and then data and padding that fill them together."""
+    if room > 1 and draft.chance(25):
+        data, padding = (draft.fact(type="u8", repeat=f"0..{room - 1}") for _ in range(2))
+        return [draft.fact(type="u8", measures={"items": data["name"]}), data, padding]
     fields = []
     for _ in range(draft.number(0, 4)):
         field, size = fixed_field(draft)

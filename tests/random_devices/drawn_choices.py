@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import BOUNDS, SIZES, Draft, EnumDraft, Spec
-from random_devices.drawn_values import value
+from random_devices.drawn_values import value, varying_text
 
 
 def closed_enums(draft: Draft) -> list[EnumDraft]:
@@ -49,3 +49,17 @@ def _cases(draft: Draft, enum: EnumDraft) -> list[Spec]:
         cases.append(draft.fact(when=left[:width], **value(draft, "case")))
         left = left[width:]
     return cases
+
+
+def choice_counter(draft: Draft, choice: Spec) -> Spec:
+    """The number of bytes of a field with several types, one of which is a text of varying length now and then."""
+    case = draft.pick(choice["choice"]["cases"])
+    if draft.chance(60):
+        stated = {key: case[key] for key in ("name", "when", "source", "doc", "label") if key in case}
+        case.clear()
+        case |= {**stated, **varying_text(draft)}
+    plus = {"plus": draft.pick((1, 2, 5))} if draft.chance(25) else {}
+    count = draft.fact(type=draft.pick(("u8", "u16")), measures={"bytes": choice["name"], **plus})
+    if count["type"] == "u16" and draft.chance(25):
+        count["byte_order"] = draft.pick(("big", "little"))
+    return count

@@ -233,7 +233,9 @@ def _bit_access(draft: Draft, operation: str, space: str) -> Spec:
     access: Spec = {"operation": operation, "space": space, "start": address["name"]}
     if draft.chance(50):
         numbers = draft.pick(((1, 0), (0xFF00, 0), (2, 3), (0, 1)))
-        bit = draft.fact(type="u16", range=f"{numbers[0]}, {numbers[1]}")
+        bit = draft.fact(
+            type="u16" if numbers[0] > 255 else draft.pick(("u8", "u16")), range=f"{numbers[0]}, {numbers[1]}"
+        )
         access |= {"values": bit["name"], "set": numbers[0]} | ({"clear": numbers[1]} if numbers[1] else {})
         asked, answered = ([address], [bit]) if operation == "read" else ([address, bit], [])
         return draft.fact(request=asked, response=answered, accesses=[access])
@@ -247,11 +249,24 @@ def _bit_access(draft: Draft, operation: str, space: str) -> Spec:
     return draft.fact(request=asked, response=answered, accesses=[access])
 
 
+def _word_digits(draft: Draft, unit: str) -> Spec:
+    """Two hexadecimal digits for each byte of a word, in the byte order of the registers."""
+    order = next((link["byte_order"] for link in draft.spec["links"] if link.get("byte_order")), "big")
+    is_low_first = unit == "u16" and order == "little"
+    digits = {"digits": draft.pick(("upper_hex", "lower_hex")), "length": 4 if unit == "u16" else 2}
+    return digits | ({"byte_order": "little"} if is_low_first else {})
+
+
 def _access(draft: Draft, operation: str, space: str, most: int, unit: str) -> Spec:
     address = draft.fact(type="u16")
     count = draft.fact(type=draft.pick(("u16", "u8")), range=f"1..{most}")
     words = draft.fact(type=unit, repeat=f"1..{most}")
-    size = draft.fact(type="u8", measures={"bytes": words["name"]})
+    if has_characters := draft.chance(100):
+        address |= draft.pick(({"digits": "upper_hex", "length": 4}, {"digits": "decimal", "length": 4}))
+        words |= _word_digits(draft, unit)
+        if operation == "read" or draft.chance(50):
+            count |= {"digits": "decimal", "length": 2}
+    size = draft.fact(type="u8" if not has_characters else "u16", measures={"bytes": words["name"]})
     sized = [size, words] if draft.chance(60) else [words]
     access: Spec = {"operation": operation, "start": address["name"], "values": words["name"]}
     if space and (unit == "u8" or len(draft.spec["spaces"]) == 1 or draft.chance(95)):
@@ -262,7 +277,7 @@ def _access(draft: Draft, operation: str, space: str, most: int, unit: str) -> S
     if draft.chance(30):
         single = {key: v for key, v in words.items() if key != "repeat"}
         return draft.fact(request=[address, single], response=[], accesses=[access])
-    if draft.chance(50):
+    if "digits" not in count and draft.chance(50):
         access["count"] = count["name"]
         count["measures"] = {"items": words["name"]}
         return draft.fact(request=[address, count, *sized], response=[], accesses=[access])

@@ -17,8 +17,18 @@ def presence_decider(draft: Draft) -> tuple[Spec, list[Spec]]:
         members = list(enum.members)
         return decider, [{"by": decider["name"], "when": members[: draft.number(1, len(members))]} for _ in range(2)]
     decider = draft.fact(type=kind)
-    bits = [draft.number(0, 8 * size_of(decider) - 1) for _ in range(3)]
-    return decider, [{"by": decider["name"], "bit": bit, **({"is": 0} if draft.chance(20) else {})} for bit in bits]
+    bits = [_deciding_bits(draft, 8 * size_of(decider)) for _ in range(3)]
+    return decider, [{"by": decider["name"], **own, **({"is": 0} if draft.chance(20) else {})} for own in bits]
+
+
+def _deciding_bits(draft: Draft, width: int) -> Spec:
+    """A bit of a number, or several: next to each other, and apart now and then."""
+    low = draft.number(0, width - 1)
+    if low > width - 2 or draft.chance(65):
+        return {"bit": low}
+    high = draft.number(low + 1, width - 1)
+    apart = f", {draft.number(high + 2, width - 1)}" if high < width - 2 and draft.chance(50) else ""
+    return {"bits": f"{low}..{high}{apart}"}
 
 
 def more_ways(draft: Draft, ways: list[Spec]) -> list[Spec]:

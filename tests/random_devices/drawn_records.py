@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import BOUNDS, Draft, RecordDraft, Spec
-from random_devices.drawn_choices import closed_enums, deciding_fields
+from random_devices.drawn_choices import choice_counter, closed_enums, deciding_fields
 from random_devices.drawn_presences import continued_list, list_counter, more_ways, optional_field, presence_decider
 from random_devices.drawn_values import packed_list, size_of, value, varying_text, varying_value
 
@@ -344,7 +344,9 @@ def _choice_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
     if decided is None:
         return fields
     selector, choice = decided
-    return [*_inserted(draft, fields, selector), choice, *_behind(draft)]
+    before = _inserted(draft, fields, selector)
+    before = _inserted(draft, before, choice_counter(draft, choice)) if draft.chance(40) else before
+    return [*before, choice, *_behind(draft)]
 
 
 def _optional_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
@@ -376,13 +378,15 @@ def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
     selector, last = decided
     cases = last["choice"]["cases"]
     # How often a constant is repeated is not a value of C's self-test.
-    has_bits = "bits" in last["choice"]
-    if draft.chance(50) and not has_bits and not any("const" in case for case in cases):
+    is_wide = "bits" in last["choice"] and selector["type"] != "u8"
+    if draft.chance(50) and not is_wide and not any("const" in case for case in cases):
         last["repeat"] = _limits(draft)
     before = _inserted(draft, fields, selector)
     if "repeat" in last and draft.chance(50):
         measure = draft.fact(type="u8", measures={"items": last["name"]})
         before = _inserted(draft, before, measure)
+    elif "repeat" not in last and draft.chance(40):
+        before = _inserted(draft, before, choice_counter(draft, last))
     return [*before, last]
 
 

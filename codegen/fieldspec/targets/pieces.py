@@ -10,7 +10,7 @@ from __future__ import annotations
 import marshal
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
-from typing import Protocol, TypeVar, cast
+from typing import Any, Protocol, TypeVar
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.observation import is_same_layout, observed_layout
@@ -18,7 +18,7 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.value import Value
 
 Result = TypeVar("Result")
-RequestedNames = tuple[dict[Hashable, str], dict[Hashable, str]]
+RequestedNames = tuple[dict[str, str], dict[str, str]]
 """The names that a piece asked for: those that were given before, and those that were given to it first."""
 
 _CONTENT = 2
@@ -46,8 +46,8 @@ class Pieces:
 
     def __init__(self, remembered: bool = False) -> None:
         self._remembered = remembered
-        self._pieces: dict[Hashable, tuple[tuple[object, ...], RequestedNames, object]] = {}
-        self._versions: dict[tuple[str, str, str], tuple[Hashable, DeviceLayout, object]] = {}
+        self._pieces: dict[Hashable, tuple[tuple[object, ...], RequestedNames, Any]] = {}
+        self._versions: dict[tuple[str, str, str], tuple[Hashable, DeviceLayout, Any]] = {}
 
     def of_version(
         self, kind: str, layout: DeviceLayout, words: Hashable, make: Callable[[DeviceLayout], Result]
@@ -58,7 +58,8 @@ class Pieces:
         key, words = (kind, layout.device.id, layout.device.version), (words, layout.equal_versions, layout.blocks)
         remembered = self._versions.get(key)
         if remembered is not None and remembered[0] == words and is_same_layout(remembered[1], layout):
-            return cast("Result", remembered[2])
+            result: Result = remembered[2]
+            return result
         reading = observed_layout(layout)
         result = make(reading)
         self._versions[key] = words, reading, result
@@ -77,7 +78,8 @@ class Pieces:
         key = (kind, words, names and names.key, tuple(map(id, facts)))
         remembered = self._pieces.get(key)
         if remembered is not None and (names is None or names.gives(remembered[1])):
-            return cast("Result", remembered[2])
+            result: Result = remembered[2]
+            return result
         requested_names: RequestedNames = {}, {}
         if names is None:
             result = make()
@@ -105,9 +107,8 @@ def using_pieces(pieces: Pieces | None) -> Iterator[None]:
 
 def facts_of(device: Device, value: Value) -> tuple[object, ...]:
     """A value and all else of the model that its codec depends on: its enum or its bits, with their enums."""
-    word = device.flags.get(value.flags)
-    enums = [bit.enum for bit in word.bits] if word is not None else ()
-    return value, device.enums.get(value.enum), word, *map(device.enums.get, enums)
+    word, enum = device.flags.get(value.flags), device.enums.get(value.enum)
+    return (value, enum, word, *(device.enums.get(bit.enum) for bit in word.bits)) if word else (value, enum)
 
 
 def piece(

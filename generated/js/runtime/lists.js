@@ -1,16 +1,18 @@
 import { CodecError } from "./error.js";
 
-/** The bits of a number that say how many elements a field has; where they count these, as a number of their own. */
-function decidingBits({ mask, numbers }, number) {
+/** The number in the bits of a number that count the elements of a field. */
+const countInBits = ({ mask }, number) => ((Number(number) & mask) >>> 0) / ((mask & -mask) >>> 0);
+
+/** Whether the bits of a number, any of them where there are no `numbers`, say that something is sent. */
+function isMet({ mask, numbers }, number) {
   const bits = (Number(number) & mask) >>> 0;
-  return numbers.length ? bits : bits / ((mask & -mask) >>> 0);
+  return numbers.length ? numbers.includes(bits) : bits > 0;
 }
 
 /** Whether a number is right about how many elements a field has. */
 export function fits(presence, number, elements) {
   const { numbers, unit, plus } = presence;
-  const bits = decidingBits(presence, number);
-  return numbers.length ? numbers.includes(bits) === elements > 0 : bits === elements * unit + plus;
+  return numbers ? isMet(presence, number) === elements > 0 : countInBits(presence, number) === elements * unit + plus;
 }
 
 /** What the bits that count elements should contain. */
@@ -21,8 +23,8 @@ function countedBytes(list, bytes) {
   const { length, unit, plus = 0, most, element, presence, more } = list;
   if (!length) return more ? element : most;
   let number = listNumber(list, bytes);
-  if (presence?.numbers.length) return presence.numbers.includes(decidingBits(presence, number)) ? element : 0;
-  if (presence) number = decidingBits(presence, number);
+  if (presence?.numbers) return isMet(presence, number) ? element : 0;
+  if (presence) number = countInBits(presence, number);
   return (number - plus) * unit;
 }
 
@@ -46,7 +48,7 @@ function setListNumber({ name, at, length, little }, bytes, number) {
 }
 
 /** Whether another element follows one with some bytes. */
-export const follows = (more, bytes) => more.numbers.includes(decidingBits(more, listNumber(more, bytes)));
+export const follows = (more, bytes) => isMet(more, listNumber(more, bytes));
 
 /** How many elements a list with a first one has, each of which says whether another one follows, in an image. */
 export function elementsInImage({ element, most, more }, image, start) {
@@ -62,6 +64,15 @@ function decidedBytes({ at, length, little, mask, sizes }, bytes) {
     number = (number << 8n) | BigInt(bytes[at + (little ? length - 1 - place : place)]);
   }
   return sizes[String(mask === undefined ? number : number & BigInt(mask))];
+}
+
+/** The sent bytes of an element that another field decides, which a number may count; why they are not known. */
+function decidedExtent(inner, list, fields, extents) {
+  const size = decidedBytes(list.decision, fields);
+  if (size === undefined) return { fault: { reason: "unknown_value", at: placeAround(inner, extents, list.decision.at) } };
+  const number = list.sentPlus === undefined ? size : listNumber(list, fields) - list.sentPlus;
+  if (number !== size && !(number >= 0 && number <= -size)) return { fault: numberFault(inner, extents, list) };
+  return { size: number, elements: [number], isText: size < 0 };
 }
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
@@ -118,12 +129,7 @@ function elementIn(parts, bytes) {
     const at = list.first + before;
     if (bytes.length < at) break;
     fields.push(...bytes.subarray(fields.length + before, at));
-    const size = list.sentPlus === undefined ? sizeIn(list, fields) : measuredBytes(list, fields);
-    if (size === undefined) return { fault: numberFault(parts, extents, list) };
-    const elements = list.decision ? [size] : [];
-    const extent = list.sentPlus !== undefined && at + size <= bytes.length
-      ? measuredIn(parts, list, bytes.subarray(at, at + size), at, extents)
-      : list.parts && list.sentPlus === undefined ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements };
+    const extent = list.decision ? decidedExtent(parts, list, fields, extents) : listIn(parts, list, fields, bytes, at, extents);
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
@@ -131,17 +137,24 @@ function elementIn(parts, bytes) {
   return { size: parts.fixed + before };
 }
 
+/** The bytes of a list in an element, as its other fields say, or why they are not known. */
+function listIn(parts, list, fields, bytes, at, extents) {
+  const isMeasured = list.sentPlus !== undefined;
+  const size = isMeasured ? measuredBytes(list, fields) : sizeIn(list, fields);
+  if (size === undefined) return { fault: numberFault(parts, extents, list) };
+  if (isMeasured && at + size <= bytes.length) return measuredIn(parts, list, bytes.subarray(at, at + size), at, extents);
+  return list.parts && !isMeasured ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements: [] };
+}
+
 /** The bytes of a list that does not end with the data, as an image says; undefined where that cannot be right. */
 function sizeIn(list, image) {
-  if (list.decision) return decidedBytes(list.decision, image);
   const size = countedBytes(list, image);
   return isRight(list, size) ? size : undefined;
 }
 
 /** Why nobody knows the bytes of a list. */
-function numberFault(inner, extents, { at, decision }) {
-  const reason = decision ? "unknown_value" : "wrong_measure";
-  return { reason, at: placeAround(inner, extents, decision ? decision.at : at) };
+function numberFault(inner, extents, { at }) {
+  return { reason: "wrong_measure", at: placeAround(inner, extents, at) };
 }
 
 /** The bytes of an element that some bytes begin with, as `parts` tell them; -1 for a wrong count. */
@@ -199,17 +212,18 @@ export function extentsIn({ fixed, lists }, data) {
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
-    let counted = isLast && !list.decision && !list.more ? null : sizeIn(list, image);
-    if (list.sentPlus !== undefined) {
+    const decided = list.decision && decidedExtent({ fixed, lists }, list, image, extents);
+    let counted = decided || (isLast && !list.more) ? null : sizeIn(list, image);
+    if (list.sentPlus !== undefined && !decided) {
       const sent = measuredBytes(list, image);
       counted = isLast && sent !== left ? undefined : sent;
       if (counted > left) return { extents, fault: { reason: "incomplete", at: data.length } };
       if (counted !== undefined) [left, counted] = [counted, null];
     }
     if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
-    const extent = list.sentPlus !== undefined
+    const extent = decided ?? (list.sentPlus !== undefined
       ? measuredIn({ fixed, lists }, list, data.subarray(at, at + left), at, extents)
-      : list.parts ? elementsIn(list, data.subarray(at, at + left), counted, at) : { size: counted === null ? left : sentListBytes(list, counted), elements: list.decision ? [counted] : [] };
+      : list.parts ? elementsIn(list, data.subarray(at, at + left), counted, at) : { size: counted === null ? left : sentListBytes(list, counted), elements: [] });
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
     if (list.packing) {
@@ -271,6 +285,19 @@ function imageOf({ fixed, lists }, data, extents) {
   return image;
 }
 
+/** Throws CodecError for a zero in a text, unless the last list has a wrong number of bytes, which is refused before. */
+function refuseZeros({ lists }, extents, data, offset) {
+  const { parts, decision, packing } = lists.at(-1);
+  if (!parts && !decision && !packing && !isRight(lists.at(-1), extents.at(-1).size)) return;
+  let before = 0;
+  for (const [number, { size, isText }] of extents.entries()) {
+    const { name, first } = lists[number];
+    const at = first + before;
+    if (isText && data.subarray(at, at + size).includes(0)) throw new CodecError("unknown_value", `${name} has a zero`, offset + at);
+    before += size;
+  }
+}
+
 /** What `read(image, start, end)` makes of the image of a record. Throws CodecError with the place in the data. */
 export function readAround(inner, read, bytes, offset, end) {
   const data = bytes.subarray(offset, end);
@@ -279,6 +306,7 @@ export function readAround(inner, read, bytes, offset, end) {
     const { name } = inner.lists[extents.length];
     throw new CodecError(fault.reason, `${name} has a different number of bytes`, offset + fault.at);
   }
+  refuseZeros(inner, extents, data, offset);
   const image = imageOf(inner, data, extents);
   try {
     return read(image, 0, image.length);
@@ -288,11 +316,19 @@ export function readAround(inner, read, bytes, offset, end) {
   }
 }
 
+/** The bytes of a text without the zeros after it. */
+function textBytes(image) {
+  let size = image.length;
+  while (size > 0 && image[size - 1] === 0) size--;
+  return size;
+}
+
 /** What is sent of an image whose last list has `last` bytes there. */
 export function sentOfImage({ fixed, lists }, image, last) {
   const fields = image.slice(0, fixed);
   const lengths = lists.map((list) => {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
+    if (decided < 0) return textBytes(image.subarray(list.room, list.room - decided));
     if (decided !== undefined || list === lists.at(-1)) return decided ?? last;
     return countedBytes(list, image) * (list.more ? elementsInImage(list, image, list.room) : 1);
   });

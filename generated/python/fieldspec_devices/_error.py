@@ -64,7 +64,7 @@ def wrong_presence(name: str, raw: int, of: str, elements: int, at: int | None =
     return CodecError("wrong_measure", f"{name} is {raw}, but there are {elements} of {of}", at)
 
 
-def wrong_end(of: str, numbers: list[int], mask: int, following: tuple[int, ...]) -> CodecError | None:
+def wrong_end(of: str, numbers: list[int], mask: int, following: tuple[int, ...] | range) -> CodecError | None:
     """An element that does not say that another one of a list follows, though one does, or the other way round."""
     last = len(numbers) - 1
     for index, raw in enumerate(numbers):

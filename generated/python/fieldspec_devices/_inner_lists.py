@@ -5,6 +5,7 @@ They are read and written as an image: first all other fields, then the lists.
 
 from __future__ import annotations
 
+from functools import partial
 from struct import Struct
 
 from ._error import CodecError
@@ -59,7 +60,7 @@ class InnerList:
         parts: Parts | None = None,
         decision: Decision | None = None,
         packing: Packing | None = None,
-        presence: tuple[int, tuple[int, ...]] | None = None,
+        presence: tuple[int, tuple[int, ...] | range] | None = None,
         sent_plus: int | None = None,
         more: More | None = None,
     ) -> None:
@@ -70,11 +71,6 @@ class InnerList:
         self.parts, self.decision, self.packing, self.presence = parts, decision, packing, presence
         self.sent_plus = sent_plus
         self.more = more
-
-    @property
-    def number_at(self) -> int:
-        """The byte in the image of the field that counts the list, or decides its element."""
-        return self.at if self.decision is None else self.decision.at
 
     def count_size(self, data: bytes) -> int:
         """The bytes of the list in the image, as its count in some data says."""
@@ -110,6 +106,19 @@ class InnerList:
         if not 0 <= size <= self.sizes[-1]:
             raise CodecError("wrong_measure", f"a list has {size} bytes, not 0 to {self.sizes[-1]}", at)
         return size
+
+    def decided_bytes(self, decision: Decision, data: bytes, place: Callable[[int], int]) -> int:
+        """The sent bytes of the element that a number in some data decides, which another one may count.
+
+        Refused at their `place` if one of them is not possible.
+        """
+        size = decision.size(data, place(decision.at))
+        if self.sent_plus is None:
+            return size
+        number = int.from_bytes(data[self.at : self.at + self.length], self.order) - self.sent_plus
+        if number != size and not 0 <= number <= -size:
+            raise CodecError("wrong_measure", f"a value has {abs(size)} bytes, not {number}", place(self.at))
+        return number
 
     def with_number(self, data: bytes, number: int) -> bytes:
         """Some bytes with another number in the field that counts the list."""
@@ -186,11 +195,13 @@ class Parts:
             if len(data) < start:
                 break
             fields += data[len(fields) + before : start]
-            at = inner.number_at + sum([taken for first, taken in extents if first <= inner.number_at])
-            if inner.sent_plus is not None:
+            at = _place_after(extents, inner.at)
+            if inner.decision is not None:
+                size = inner.decided_bytes(inner.decision, fields, partial(_place_after, extents))
+            elif inner.sent_plus is not None:
                 size = inner.measured_bytes(fields, inner.sent_plus, at)
             else:
-                size = inner.checked_size(fields, at) if inner.decision is None else inner.decision.size(fields, at)
+                size = inner.checked_size(fields, at)
             taken = inner.sent_size(size)
             if inner.parts is not None and inner.sent_plus is None:
                 taken = sum(inner.elements(inner.parts, data[start:], size, start))
@@ -199,6 +210,11 @@ class Parts:
             extents.append((inner.first, taken))
             before += taken
         return self.fixed + before
+
+
+def _place_after(extents: Sequence[tuple[int, int]], at: int) -> int:
+    """The sent byte for a byte of other fields, after lists that begin after some of these and have some bytes."""
+    return at + sum([taken for first, taken in extents if first <= at])
 
 
 class InnerLists(dict[tuple[int, ...], Struct]):
@@ -227,6 +243,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         extents: list[list[int]] = []
         numbers: list[int] = []
         size: int | None
+        zero_at: int | None = None
         for inner in self.lists:
             at = inner.first + before
             fields += data[len(fields) + before : at]
@@ -235,16 +252,16 @@ class InnerLists(dict[tuple[int, ...], Struct]):
                 raise self._incomplete(len(data))
             is_last = inner is self.lists[-1]
             if inner.decision is not None:
-                size = inner.decision.size(fields, self._place(extents, inner.number_at) or 0)
+                size = inner.decided_bytes(inner.decision, fields, partial(self._place, extents))
                 if is_last and size < left:
                     raise CodecError("wrong_length", f"{self.name} has more than its {at + size} bytes", at + size)
             elif inner.sent_plus is not None:
                 left, size = self._measured(inner, inner.sent_plus, fields, left, extents, data), None
             else:
                 is_open = is_last and inner.more is None
-                size = None if is_open else inner.checked_size(fields, self._place(extents, inner.number_at) or 0)
+                size = None if is_open else inner.checked_size(fields, self._place(extents, inner.at))
             if inner.parts is not None and inner.sent_plus is not None:
-                number_at = self._place(extents, inner.number_at) or 0
+                number_at = self._place(extents, inner.at)
                 sizes = inner.measured_elements(inner.parts, data[at : at + left], at, number_at)
                 numbers.append(len(sizes))
             elif inner.parts is not None:
@@ -256,6 +273,8 @@ class InnerLists(dict[tuple[int, ...], Struct]):
                 sent = self._checked(inner, left, at) if size is None else inner.sent_size(size)
                 if sent > left:
                     raise self._incomplete(len(data))
+                if inner.decision is not None and inner.decision.size(fields, 0) < 0 and 0 in data[at : at + sent]:
+                    zero_at = at if zero_at is None else zero_at
                 sizes = [sent]
                 packing = inner.packing
                 items = sent // inner.size if packing is None else inner.numbers_in(packing, sent)
@@ -267,13 +286,16 @@ class InnerLists(dict[tuple[int, ...], Struct]):
                 piece = inner.packing.unpacked(piece, numbers[-1]) if inner.packing is not None else piece
                 lists += piece.ljust(inner.size, b"\0") if is_filled else piece
                 before += own
+        if zero_at is not None:
+            raise CodecError("unknown_value", f"a text of {self.name} has a zero", zero_at)
         image = fields + data[len(fields) + before :] + lists
         for inner, number in zip(self.lists, numbers, strict=True):
             image = image if inner.sent_plus is None else inner.with_number(image, number)
         try:
             return function(image, tuple(numbers))
         except CodecError as error:
-            raise CodecError(error.reason, error.detail, self._place(extents, error.offset)) from None
+            place = None if error.offset is None else self._place(extents, error.offset)
+            raise CodecError(error.reason, error.detail, place) from None
 
     def encoded(self, image: bytes) -> bytes:
         """The sent form of an image."""
@@ -281,8 +303,8 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         pieces: list[bytes] = []
         for inner in self.lists:
             size = len(image) - start if inner is self.lists[-1] else inner.image_size(image, start)
-            taken = size if inner.decision is None else inner.decision.size(image, 0)
-            pieces.append(inner.sent(image[start : start + taken]))
+            piece = image[start : start + size]
+            pieces.append(inner.sent(piece) if inner.decision is None else inner.decision.sent(image, piece))
             if inner.sent_plus is not None:
                 fields = inner.with_number(fields, len(pieces[-1]) + inner.sent_plus)
             start += size
@@ -316,7 +338,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         self, inner: InnerList, plus: int, fields: bytes, left: int, extents: list[list[int]], data: bytes
     ) -> int:
         """The bytes of a list that a number counts, of at most `left` bytes, or of all of them for the last list."""
-        at = self._place(extents, inner.number_at) or 0
+        at = self._place(extents, inner.at)
         size = inner.measured_bytes(fields, plus, at)
         if inner is self.lists[-1] and size != left:
             raise CodecError("wrong_measure", f"a list of {self.name} has {left} bytes, not {size}", at)
@@ -327,10 +349,8 @@ class InnerLists(dict[tuple[int, ...], Struct]):
     def _incomplete(self, at: int) -> CodecError:
         return CodecError("incomplete", f"{self.name} has more bytes", at)
 
-    def _place(self, extents: list[list[int]], at: int | None) -> int | None:
+    def _place(self, extents: list[list[int]], at: int) -> int:
         """The byte in data for a byte of the image, in which each list has its `room`."""
-        if at is None:
-            return None
         before = 0
         for inner, sizes in zip(self.lists, [*extents, *[[]] * (len(self.lists) - len(extents))], strict=True):
             if at >= inner.room and (inner is self.lists[-1] or at < inner.room + inner.sizes[-1]):

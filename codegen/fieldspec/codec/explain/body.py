@@ -9,7 +9,7 @@ from fieldspec.codec.explain.errata import errata_at
 from fieldspec.codec.explain.parameters import with_parameter
 from fieldspec.codec.explain.percentages import with_percentages
 from fieldspec.codec.explain.row import ExplanationRow, Spot, fact_row, surplus_row, wrong_row
-from fieldspec.codec.explain.values import DecodedValue, decoded_row, exponent_applied, repeated_value
+from fieldspec.codec.explain.values import ACCEPTED, DecodedValue, decoded_row, exponent_applied, repeated_value
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.inner_lists import InnerList, ListExtent
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
@@ -261,7 +261,7 @@ class Body:
         """The value of a field that measures another one, judged by the size of that field."""
         measure = field.field.measures
         other = self.record.named(field.bits_of or (measure.field if measure is not None else ""))
-        if other is None or other.cases:
+        if other is None or other.splits_record:
             return read
         inner = self.record.inner_lists
         span = next((span for span in self.record.spans if span.name == other.name and span.count is not None), None)
@@ -297,7 +297,9 @@ class Body:
         """The value of a field whose bits say how many elements others have, judged by how many they have."""
         for other in self.record.fields:
             presence, number = other.presence, read.number
-            if read.reason or presence is None or presence.by != field.name or not isinstance(number, int):
+            if presence is None or presence.by != field.name:
+                continue
+            if read.reason not in ACCEPTED or not isinstance(number, int):
                 continue
             items = self._items_at_end(other) if self.record.inner_lists is None else self._items_if_known(other)
             if items is None and self.record.inner_lists is not None:

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from fieldspec.codec.explain.registers import RegisterRows
 from fieldspec.codec.explain.row import ExplanationRow
+from fieldspec.codec.explain.values import ACCEPTED
 from fieldspec.codec.layout.values import Raw
 from fieldspec.foundation.classes import dataclass, field
-
-# Reasons with which a codec still accepts the frame: the manual prints narrower bounds than the type has.
-_ACCEPTED = ("", "out_of_range")
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,4 +40,4 @@ class Explanation:
     @property
     def reasons(self) -> tuple[str, ...]:
         """The reasons for which a codec refuses the frame, as its errors name them; empty if it accepts the frame."""
-        return tuple(row.reason for row in self.rows if row.reason not in _ACCEPTED)
+        return tuple(row.reason for row in self.rows if row.reason not in ACCEPTED)

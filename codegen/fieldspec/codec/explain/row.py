@@ -109,8 +109,10 @@ class Spot:
         return DLC if is_remote else str(position - self.escape.fields_size)
 
     def byte_text(self, position: int) -> str:
-        """`byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts."""
-        return f"byte {position}" if self.escape is None else self.escape.byte_text(position)
+        """`byte 4` of the frame, or `byte 2 of the data` of a CAN frame, for a byte of the parts."""
+        if self.escape is not None and self.escape.method == "can":
+            return self.escape.byte_text(position)
+        return f"byte {self.place(position, 0)[0]}"
 
     def place(self, position: int, length: int) -> tuple[int, int, str]:
         """The offset and the length in the frame of `length` bytes of the parts from `position` on; their characters.

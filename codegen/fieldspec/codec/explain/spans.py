@@ -8,7 +8,8 @@ from fieldspec.codec.layout.bits import unpacked_bits
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.layout.values import Raw
-from fieldspec.foundation.classes import dataclass
+from fieldspec.codec.layout.word_digits import has_word_digits, word_bytes
+from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.address_space import BIT, BYTE, WORD
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Message, RegisterAccess
@@ -16,7 +17,10 @@ from fieldspec.language.model.record import Message, RegisterAccess
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """Bytes at `at` in the parts of a frame, and the bytes of the value that they carry: for a bit, one with 0 or 1."""
+    """Bytes at `at` in the parts of a frame, and the bytes of the value that they carry.
+
+    These are other bytes for a bit, one with 0 or 1, and for hexadecimal digits.
+    """
 
     at: int
     raw: bytes
@@ -29,7 +33,8 @@ class Span:
 
     In a space of bits, `words` counts these, and `bits` has those that the frame carries, in order. A single one is
     None if its number means neither 0 nor 1. In other spaces, `bits` is None. In a space of bytes, `words` counts
-    bytes, and an address has a `unit_size` of 1.
+    bytes, and an address has a `unit_size` of 1. `digits` are the hexadecimal digits that the frame has for `data`, two
+    for each byte; empty if it has the bytes themselves.
     """
 
     space: str
@@ -39,6 +44,7 @@ class Span:
     data: bytes
     bits: tuple[int | None, ...] | None = None
     unit_size: int = 2
+    digits: bytes = b""
 
     @property
     def end(self) -> int:
@@ -59,6 +65,8 @@ class Span:
         if start < 0 or start + size > len(self.data):
             return None
         content = self.data[start : start + size]
+        if self.digits:
+            return Piece(self.at + 2 * start, self.digits[2 * start : 2 * (start + size)], content)
         return Piece(self.at + start, content, content)
 
     def _bit(self, index: int, bits: tuple[int | None, ...]) -> Piece | None:
@@ -125,9 +133,12 @@ def accessed_spans(
             continue
         is_carried = is_single or (access.operation == "read") == is_response
         field = record.named(access.values) if is_carried else None
-        offset, carried = (field.offset, data[field.offset : field.end]) if field is not None else (0, b"")
+        offset, content = (field.offset, data[field.offset : field.end]) if field is not None else (0, b"")
+        carried = word_bytes(field, content) if field is not None else b""
         # The request of what a response answers may have fields of the same names as the response.
         own = values if is_single or not is_response else {}
         span = accessed(layout.device, access, own, request_values or {}, start + offset, carried)
+        if span is not None and field is not None and has_word_digits(field):
+            span = replace(span, digits=content)
         if span is not None:
             yield access, span

@@ -46,6 +46,8 @@ from fieldspec.language.model.value import Value
 if TYPE_CHECKING:
     from fractions import Fraction
 
+ACCEPTED = ("", "out_of_range")
+"""Reasons with which a codec still accepts a value: the manual prints narrower bounds than the type has."""
 _MOST_PLACES, _MOST_DIGITS, _ROUNDED_DIGITS = 6, 8, 6
 """Numbers with at most this number of places, or digits, are written in full; others are rounded to it."""
 _EXACT = Context(prec=200)

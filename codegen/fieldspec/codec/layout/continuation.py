@@ -57,7 +57,9 @@ class Continuation:
         if self.follows(element) == follows:
             return element
         if self.legal is None:
-            number: int | None = self.number_in(element) ^ self.presence.mask
+            mask = self.presence.mask
+            rest = self.number_in(element) & ~mask
+            number: int | None = rest if (0 in self.presence.numbers) == follows else rest | (mask & -mask)
         else:
             number = self.legal[0 if follows else 1]
         if number is None:

@@ -9,6 +9,7 @@ from fieldspec.codec.layout.frame import LinkLayout, link_layout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout, RegisterLayout
 from fieldspec.codec.layout.record_building import record_layout
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.access import narrowed
 from fieldspec.language.model.choice import BlockChoice
@@ -130,8 +131,12 @@ def _add_record(
     records[record.name] = record_layout(record, records, orders, device, record.name in parts)
 
 
+_REGISTERS: ByIdentity[Register, tuple[Orders, RegisterLayout]] = ByIdentity(limit=20_000)
+"""The layouts of registers, which versions share, and mostly the next build too."""
+
+
 def _register(register: Register, orders: Orders) -> RegisterLayout:
-    order, swapped = orders.of(register.value)
-    return RegisterLayout(
-        register, register.name, register.address, register.width, register.count, register.stride, order, swapped
-    )
+    if register not in _REGISTERS or _REGISTERS[register][0] != orders:
+        row = (register, register.name, register.address, register.width, register.count, register.stride)
+        _REGISTERS[register] = orders, RegisterLayout(*row, *orders.of(register.value))
+    return _REGISTERS[register][1]

@@ -13,16 +13,14 @@ from operator import attrgetter
 from typing import Any, TypeVar
 
 from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.layout.identity_parts import part_words
 from fieldspec.codec.layout.identity_words import Words, bounding, order_of, orders_in, shortest, value_words
 from fieldspec.codec.layout.message import MessageLayout
-from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import attributes
-from fieldspec.language.model import codecs
 from fieldspec.language.model.address_space import WHOLE, WORD
 from fieldspec.language.model.attributes import descendants
-from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum, Flags
 from fieldspec.language.model.link import Serial
@@ -31,9 +29,6 @@ from fieldspec.language.model.texts import Limit
 from fieldspec.language.model.value import HANDLING_KEYS, UNSPECIFIED
 
 T = TypeVar("T")
-
-_HASHED_ROLES = {"checksum": "check", "unit_address": "station"}
-"""The words for roles in the hash. With them, a rename of a role changes no identity."""
 
 
 def identity(
@@ -44,24 +39,27 @@ def identity(
     registers: tuple[RegisterLayout, ...],
 ) -> str:
     """Sixteen hexadecimal digits. Two layouts have the same ones if what programs must be told of both is the same."""
-    digest = hashlib.sha256()
-    for words in chain(
+    frames = chain(
         _links(links),
         [("order of words", device.word_order or device.byte_order)],
         *map(_record, _by_name(records)),
         _messages(messages),
         _units(device),
         _spaces(device),
+    )
+    values = chain(_tables(device), _signals(device, records, messages), _parameters(device), _conversions(device))
+    texts = chain(
+        map(_text, frames),
         _registers(registers),
-        _tables(device),
-        _signals(device, records, messages),
-        _parameters(device),
-        _conversions(device),
-        _words(device),
-        sorted(_operation(device)),
-    ):
-        digest.update(("\x1f".join(map(str, words)) + "\n").encode())
-    return digest.hexdigest()[:16]
+        map(_text, values),
+        _enums_and_flags(device),
+        map(_text, sorted(_operation(device))),
+    )
+    return hashlib.sha256("".join(texts).encode()).hexdigest()[:16]
+
+
+def _text(words: Words) -> str:
+    return "\x1f".join(map(str, words)) + "\n"
 
 
 def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
@@ -103,28 +101,7 @@ def _links(links: Mapping[str, LinkLayout]) -> Iterator[Words]:
             yield "escape", link.escape
         for frame in (link_layout.request, link_layout.response):
             for part in frame.parts:
-                role = _HASHED_ROLES.get(part.role, part.role)
-                order = order_of(part.value, part.order)
-                yield part.name, role, part.offset, part.size, part.algorithm, order, *value_words(part.value)
-                yield from _span(part)
-
-
-def _span(part: PartLayout) -> Iterator[Words]:
-    """The parts that a part counts, covers or repeats, and whether it is reserved; empty for the default."""
-    usual = part.role != "checksum" or (part.start, part.stop) == (0, part.offset)
-    if not usual or (part.unit_size, part.base, part.reserved) != (1, 0, False):
-        yield "span", part.start, part.stop, part.unit_size, part.base, part.reserved
-    if part.digits:
-        yield "digits", part.digits
-    name = checksum_named(part.algorithm).codec if part.algorithm else ""
-    if name:
-        yield "codec", codecs.checksum_codec(name).version
-    if part.before_escape and not part.escaped:
-        yield ("before escape",)
-    if part.part.same_as:
-        yield "repeats", part.part.same_as
-    if part.part.bits is not None:
-        yield "bits", part.part.bits
+                yield from part_words(part)
 
 
 def _record(record: RecordLayout) -> Iterator[Words]:
@@ -157,10 +134,10 @@ def _field(field: FieldLayout) -> Iterator[Words]:
     if field.selector is not None:
         yield "decided by", field.selector.name, *(() if field.deciding_bits is None else (field.deciding_bits,))
     if field.presence is not None and field.presence.numbers:
-        yield "present by", field.presence.by, field.presence.mask, [*field.presence.numbers]
+        yield "present by", field.presence.by, field.presence.mask, field.presence.number_list
     if field.continuation is not None:
         continuation = field.continuation.presence
-        yield "more if", continuation.by, continuation.mask, [*continuation.numbers]
+        yield "more if", continuation.by, continuation.mask, continuation.number_list
     if spec.bit_measure is not None:
         yield "counts in bits", spec.bit_measure.text
     for case in sorted(field.cases, key=lambda case: sorted(case.numbers)):
@@ -244,24 +221,29 @@ def _spaces(device: Device) -> Iterator[Words]:
         )
 
 
-def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[Words]:
+def _registers(registers: tuple[RegisterLayout, ...]) -> Iterator[str]:
     for register_layout in sorted(registers, key=attrgetter("name")):
-        register = register_layout.register
-        if register.reserved:
-            continue
-        yield (
-            "register",
-            register_layout.name,
-            register_layout.address,
-            register_layout.words,
-            register_layout.count,
-            register_layout.stride if register_layout.count > 1 else register_layout.words,
-            order_of(register.value, register_layout.order),
-            register_layout.swapped,
-        )
-        yield register.index_from, register.access, register.trigger, register.atomic, *value_words(register.value)
-        if register.value.write_word_order:
-            yield "words of a write", register.value.write_swapped(register_layout.swapped)
+        if not register_layout.register.reserved:
+            yield _TEXTS.get_or_compute(register_layout, _register_text)
+
+
+def _register_text(register_layout: RegisterLayout) -> str:
+    register = register_layout.register
+    place = (
+        "register",
+        register_layout.name,
+        register_layout.address,
+        register_layout.words,
+        register_layout.count,
+        register_layout.stride if register_layout.count > 1 else register_layout.words,
+        order_of(register.value, register_layout.order),
+        register_layout.swapped,
+    )
+    use = register.index_from, register.access, register.trigger, register.atomic, *value_words(register.value)
+    if not register.value.write_word_order:
+        return _text(place) + _text(use)
+    order = "words of a write", register.value.write_swapped(register_layout.swapped)
+    return _text(place) + _text(use) + _text(order)
 
 
 def _tables(device: Device) -> Iterator[Words]:
@@ -326,25 +308,25 @@ def _conversions(device: Device) -> Iterator[Words]:
         )
 
 
-def _words(device: Device) -> Iterator[Words]:
+def _enums_and_flags(device: Device) -> Iterator[str]:
     for enum in _by_name(device.enums):
-        yield from _WORDS.get_or_compute(enum, _enum_words)
+        yield _TEXTS.get_or_compute(enum, _enum_text)
     for flags in _by_name(device.flags):
-        yield from _WORDS.get_or_compute(flags, _flags_words)
+        yield _TEXTS.get_or_compute(flags, _flags_text)
 
 
-_WORDS: ByIdentity[Any, tuple[Words, ...]] = ByIdentity(limit=10_000)
-"""The words of enums and flags, which versions share, and mostly the next build too."""
+_TEXTS: ByIdentity[Any, str] = ByIdentity(limit=30_000)
+"""The texts of registers, enums and flags, which versions share, and mostly the next build too."""
 
 
-def _enum_words(enum: Enum) -> tuple[Words, ...]:
+def _enum_text(enum: Enum) -> str:
     members = [
         (member.value, member.name, *sorted(member.aliases)) for member in enum.members if not member.unavailable
     ]
-    return (("enum", enum.name, enum.open, sorted(members)),)
+    return _text(("enum", enum.name, enum.open, sorted(members)))
 
 
-def _flags_words(flags: Flags) -> tuple[Words, ...]:
+def _flags_text(flags: Flags) -> str:
     bits = [
         (bit.name, bit.first, bit.last, bit.enum, bit.active, bit.edge)
         + ((bit.signed, str(shortest(bit.scale)), str(shortest(bit.offset)), bit.unit) if bit.is_number else ())
@@ -356,7 +338,8 @@ def _flags_words(flags: Flags) -> tuple[Words, ...]:
     ]
     states = sorted((state.name, flags.masked(state)) for state in flags.states)
     is_bounded = bounding(flags.ranges, flags.type.low, flags.type.high) is not None
-    return ("flags", flags.name, flags.type.name, bits, states), *([("range", flags.ranges)] if is_bounded else [])
+    words = "flags", flags.name, flags.type.name, bits, states
+    return _text(words) + (_text(("range", flags.ranges)) if is_bounded else "")
 
 
 _ASKED = ("trigger", "atomic", "applies_to", "messages", "supplements")

@@ -10,35 +10,16 @@ A field whose type another one decides is a list of one element, in the image wi
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
-from fieldspec.codec.layout.continuation import Continuation, continuation_data
-from fieldspec.codec.layout.packing import Packing, packing_data
-from fieldspec.codec.layout.presence import PresenceLayout, masked, presence_data
+from fieldspec.codec.layout.continuation import Continuation
+from fieldspec.codec.layout.decision import Decision
+from fieldspec.codec.layout.packing import Packing
+from fieldspec.codec.layout.presence import PresenceLayout
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 
 if TYPE_CHECKING:
-    from typing import Any, Literal
-
-
-@dataclass(frozen=True, slots=True)
-class Decision:
-    """The number that decides how many bytes an element has: the field `name`, `size` bytes at `offset` in the image.
-
-    `sizes` are the bytes of the element by that number, or by its bits in a `mask`; another one decides nothing.
-    """
-
-    name: str
-    offset: int
-    size: int
-    order: str
-    sizes: Mapping[int, int]
-    mask: int | None = None
-
-    def size_in(self, image: bytes) -> int | None:
-        """The bytes of the element, as an image that has the number says; None where it decides nothing."""
-        order: Literal["big", "little"] = "big" if self.order == "big" else "little"
-        return self.sizes.get(masked(int.from_bytes(image[self.offset : self.offset + self.size], order), self.mask))
+    from typing import Literal
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +63,11 @@ class InnerList:
             size = -1 if elements is None else elements * self.element
         else:
             size = (number - self.plus) * self.unit
-        return None if size % self.element or not self.least <= size <= self.most else size
+        return size if self.takes(size) else None
+
+    def takes(self, size: int) -> bool:
+        """Whether the list can have a number of bytes in the image."""
+        return size % self.element == 0 and self.least <= size <= self.most
 
     def count_in(self, image: bytes) -> int:
         """The number of the field that counts the list, in an image that goes that far."""
@@ -216,14 +201,24 @@ class InnerLists:
     ) -> ListExtent | ListFault:
         """The bytes of an element that an image decides; at most `left` bytes."""
         start = inner.first + sum(extent.size for extent in extents)
-        size = decision.size_in(image)
-        if size is None:
-            return self._wrong_number(inner, extents)
+        size = self._decided_size(inner, decision, image, extents)
+        if isinstance(size, ListFault):
+            return size
         if size > left:
             return ListFault("incomplete", start + left + self.fixed - inner.first)
         if inner is self.last and size < left:
             return ListFault("wrong_length", start + size)
         return ListExtent(size, (size,))
+
+    def _decided_size(
+        self, inner: InnerList, decision: Decision, image: bytes, extents: list[ListExtent]
+    ) -> int | ListFault:
+        """The bytes of an element that an image decides, which a number may count."""
+        size = decision.size_in(image)
+        if size is None:
+            return ListFault("unknown_value", self.place_in_data(extents, decision.offset))
+        number = size if inner.sent_plus is None else inner.count_in(image) - inner.sent_plus
+        return number if number == size or 0 <= number <= -size else self._wrong_number(inner, extents)
 
     def sent_size(self, data: bytes) -> int | ListFault:
         """The bytes of an element that data begin with, which may be more than the data have."""
@@ -234,14 +229,17 @@ class InnerLists:
             if len(data) < start:
                 break
             fields += data[len(fields) + before : start]
-            size = inner.size_in(fields) if inner.decision is None else inner.decision.size_in(fields)
-            size = size if inner.sent_plus is None else inner.sent_bytes_in(fields)
-            if size is None:
-                return self._wrong_number(inner, extents)
+            size: int | ListFault | None
+            if inner.decision is not None:
+                size = self._decided_size(inner, inner.decision, fields, extents)
+            else:
+                size = inner.size_in(fields) if inner.sent_plus is None else inner.sent_bytes_in(fields)
+            if size is None or isinstance(size, ListFault):
+                return size or self._wrong_number(inner, extents)
             extent = ListExtent(inner.sent_size(size), (size,) if inner.decision is not None else ())
             if inner.parts is not None and inner.sent_plus is None:
                 elements = _elements(inner, inner.parts, data[start:], size, start)
-            elif inner.sent_plus is not None and start + size <= len(data):
+            elif inner.parts is not None and start + size <= len(data):
                 elements = self._measured(inner, data[start : start + size], extents)
             else:
                 elements = extent
@@ -252,9 +250,7 @@ class InnerLists:
         return self.fixed + before
 
     def _wrong_number(self, inner: InnerList, extents: list[ListExtent]) -> ListFault:
-        """The fault of a number that decides nothing, or counts what cannot be."""
-        if inner.decision is not None:
-            return ListFault("unknown_value", self.place_in_data(extents, inner.decision.offset))
+        """The fault of a number that counts what cannot be."""
         return ListFault("wrong_measure", self.place_in_data(extents, inner.count_at))
 
     def image_of(self, data: bytes, extents: Sequence[ListExtent]) -> bytes:
@@ -281,6 +277,22 @@ class InnerLists:
                 image = inner.with_number(image, len(extent.elements))
         return image
 
+    def text_with_zero(self, data: bytes, extents: Sequence[ListExtent]) -> tuple[str, int] | None:
+        """The first text, whose type a field decides, that has a zero in some data, and the byte at which it begins.
+
+        None where the last list has a wrong number of bytes, which is wrong before that.
+        """
+        image, before, last = self.image_of(data, extents), 0, self.last
+        if last.decision is None and last.parts is None and last.packing is None and not last.takes(extents[-1].size):
+            return None
+        for inner, extent in zip(self.lists, extents, strict=True):
+            start = inner.first + before
+            is_text = inner.decision is not None and (inner.decision.size_in(image) or 0) < 0
+            if is_text and 0 in data[start : start + extent.size]:
+                return inner.name, start
+            before += extent.size
+        return None
+
     def data_of(self, image: bytes) -> bytes:
         """The bytes that are sent for an image. Raises OverflowError if a field cannot count them."""
         fields, pieces = image, []
@@ -300,7 +312,7 @@ class InnerLists:
         if inner is not self.last:
             piece = piece[: inner.room_size_in(image)]
         if inner.decision is not None:
-            return piece[: inner.decision.size_in(image)]
+            return inner.decision.sent_bytes(image, piece)
         if inner.packing is not None:
             return inner.packing.packed(piece)
         if inner.parts is None:
@@ -370,31 +382,3 @@ def _packed_numbers(inner: InnerList, packing: Packing, size: int, start: int) -
         return ListFault("incomplete", start + size)
     fault = ListFault("wrong_length", start + sent_size)
     return fault if sent_size < size else ListExtent(size, numbers=numbers)
-
-
-def inner_lists_data(inner: InnerLists) -> dict[str, Any]:
-    """The lists as programs in JavaScript have them."""
-    return {"fixed": inner.fixed, "lists": [_inner_list_row(row) for row in inner.lists]}
-
-
-def _inner_list_row(row: InnerList) -> dict[str, Any]:
-    names = {"name": row.name} | ({"countName": row.count} if row.count else {})
-    bounds = {"element": row.element, "least": row.least, "most": row.most}
-    count = {"at": row.count_at, "length": row.count_size if row.count else 0, "unit": row.unit}
-    plus = {"plus": row.plus} if row.plus else {}
-    is_little = {"little": True} if row.count_order == "little" else {}
-    parts = {"parts": inner_lists_data(row.parts)} if row.parts is not None else {}
-    decision = {"decision": _decision_row(row.decision)} if row.decision is not None else {}
-    packing = {"packing": packing_data(row.packing)} if row.packing is not None else {}
-    presence = {"presence": presence_data(row.presence)} if row.presence is not None else {}
-    sent_plus = {"sentPlus": row.sent_plus} if row.sent_plus is not None else {}
-    places = {"first": row.first, "room": row.room}
-    continuation = {"more": continuation_data(row.continuation)} if row.continuation is not None else {}
-    kinds = {**parts, **decision, **packing, **presence, **sent_plus, **continuation}
-    return {**names, **places, **bounds, **count, **plus, **is_little, **kinds}
-
-
-def _decision_row(row: Decision) -> dict[str, Any]:
-    is_little = {"little": True} if row.order == "little" else {}
-    mask = {"mask": row.mask} if row.mask is not None else {}
-    return {"name": row.name, "at": row.offset, "length": row.size, **is_little, **mask, "sizes": dict(row.sizes)}

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
+from fieldspec.codec.layout.decision import Decision
+from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.record import list_count, text_count
@@ -52,7 +53,7 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
 
 def _decision(field: FieldLayout, selector: FieldLayout, offset: int) -> Decision:
     """What decides the bytes of a field, by a selector that is at an offset in the image."""
-    sizes = {number: form.size for number, form in field.forms.items()}
+    sizes = {number: -form.size if form.varies else form.size for number, form in field.forms.items()}
     return Decision(selector.name, offset, selector.size, selector.order, sizes, field.deciding_bits)
 
 

@@ -22,14 +22,25 @@ def masked(number: int, mask: int | None) -> int:
 class PresenceLayout:
     """A field is sent if the bits `mask` of the number of the field `by` are one of `numbers`.
 
-    Where there are no `numbers`, these bits are a number of their own: `unit` for each element of a list, plus `plus`.
+    The numbers are a range where any of these bits suffices. Where there are no `numbers`, these bits are a number of
+    their own: `unit` for each element of a list, plus `plus`.
     """
 
     by: str
     mask: int
-    numbers: tuple[int, ...]
+    numbers: tuple[int, ...] | range
     unit: int = 1
     plus: int = 0
+
+    @property
+    def is_any(self) -> bool:
+        """Whether the field is sent if any of the bits is 1."""
+        return isinstance(self.numbers, range)
+
+    @property
+    def number_list(self) -> list[int]:
+        """The numbers with which the field is sent; none where any of the bits suffices."""
+        return [] if self.is_any else [*self.numbers]
 
     @property
     def shift(self) -> int:
@@ -90,5 +101,7 @@ def presence_layout(record: Record, name: str, size: int, enums: Mapping[str, En
 
 def presence_data(presence: PresenceLayout) -> dict[str, Any]:
     """A presence as programs in JavaScript have it."""
-    data = {"by": presence.by, "mask": presence.mask, "numbers": [*presence.numbers]}
-    return data if presence.numbers else {**data, "unit": presence.unit, "plus": presence.plus}
+    data = {"by": presence.by, "mask": presence.mask}
+    if not presence.numbers:
+        return {**data, "unit": presence.unit, "plus": presence.plus}
+    return {**data, "numbers": presence.number_list}

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
+from fieldspec.codec.layout.observation import is_same_layout, observed_layout
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.source import Span
@@ -119,16 +120,36 @@ def read_plan(layout: DeviceLayout) -> ReadPlan:
     device = layout.device
     limits = tuple(read_limit(device, message) for message in device.messages.values() if _is_read(device, message))
     plan = ReadPlan(limits, (), ())
+    longest = [limit for space in plan.spaces if (limit := plan.limit(space)) is not None]
+    requests = tuple((limit.space, limit.message, limit.words) for limit in longest if limit.words is not None)
+    key = device.id, device.version
+    earlier = _PLANNED.get(key)
+    if earlier is None or earlier[1] != requests or not is_same_layout(earlier[0], layout):
+        if len(_PLANNED) == _MOST_PLANNED:
+            _PLANNED.clear()
+        reading = observed_layout(layout)
+        earlier = _PLANNED[key] = reading, requests, *_all_blocks(reading, requests)
+    return ReadPlan(limits, *earlier[2:])
+
+
+_Requests = tuple[tuple[str, str, int], ...]
+"""For spaces, the message that reads it, and the most words of one request."""
+
+_PLANNED: dict[tuple[str, str], tuple[DeviceLayout, _Requests, tuple[ReadBlock, ...], tuple[ReadUnit, ...]]] = {}
+"""By device and version, the blocks of the last layout, which knows what they have read, and what is left out."""
+_MOST_PLANNED = 64
+
+
+def _all_blocks(layout: DeviceLayout, requests: _Requests) -> tuple[tuple[ReadBlock, ...], tuple[ReadUnit, ...]]:
+    """The blocks of all spaces, and what is left out."""
     units = sorted(_units(layout), key=lambda unit: (unit.first, unit.words))
     blocks: list[ReadBlock] = []
     left_out: list[ReadUnit] = []
-    for space in plan.spaces:
-        limit = plan.limit(space)
-        if limit is not None and limit.words is not None:
-            space_blocks, rest = _blocks([unit for unit in units if unit.space == space], limit.message, limit.words)
-            blocks += space_blocks
-            left_out += rest
-    return ReadPlan(limits, tuple(blocks), tuple(left_out))
+    for space, message, words in requests:
+        space_blocks, rest = _blocks([unit for unit in units if unit.space == space], message, words)
+        blocks += space_blocks
+        left_out += rest
+    return tuple(blocks), tuple(left_out)
 
 
 def _blocks(units: Sequence[ReadUnit], message: str, limit: int) -> tuple[list[ReadBlock], list[ReadUnit]]:

@@ -51,7 +51,7 @@ class FieldLayout:
     with the bytes of a parameter's value, `sizes` are the sizes of the value by the number in another field, of
     equal sizes the number to write first; it is empty if all bytes are the value. For the bit count of a write
     request, `bits_of` is the list into whose bytes the bits are packed; it is empty for other fields. `presence`
-    says what decides whether it is sent, None where it always is. It `counts_sent` bytes of differing elements. A
+    says what decides whether it is sent, None where it always is. It `counts_sent` bytes of what differs in size. A
     `continuation` is what its elements say of the next.
     """
 
@@ -125,7 +125,7 @@ class FieldLayout:
     def least_size(self) -> int:
         """The least bytes of an element."""
         if self.forms:
-            return min(form.size for form in self.forms.values())
+            return min(form.value.least_size for form in self.forms.values() if form.value is not None)
         return self.record.least if self.record is not None else self.size
 
     def form_in(self, image: bytes) -> FieldLayout | None:

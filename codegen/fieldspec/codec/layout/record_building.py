@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from fieldspec.codec.layout.continuation import Continuation
 from fieldspec.codec.layout.list_places import inner_lists_of
-from fieldspec.codec.layout.presence import PresenceLayout, presence_layout
+from fieldspec.codec.layout.presence import PresenceLayout, masked, presence_layout
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, Orders, RecordLayout
 from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation.classes import TYPE_CHECKING, replace
@@ -27,7 +27,8 @@ def record_layout(
     if last is None or last.choice is None:
         return _fixed(record, records, orders, device)
     is_behind = any(_varies(field, records) for field in record.fields[:-1])
-    if last.choice.bits is not None or (not last.is_list and (is_part or is_behind)):
+    is_inside = is_part or is_behind or last.choice.bits is not None
+    if last.choice.has_texts or (is_inside and not last.is_list):
         return _fixed(record, records, orders, device)
     return _choosing(record, last, last.choice, records, orders, device)
 
@@ -63,6 +64,13 @@ def _case_layouts(record: Record, choice: Choice, orders: Orders, device: Device
     )
 
 
+def _with_all_bits(choice: Choice, case: CaseLayout) -> CaseLayout:
+    """A case with all numbers of the byte some of whose bits decide it."""
+    if choice.mask is None:
+        return case
+    return replace(case, numbers=frozenset(n for n in range(0x100) if masked(n, choice.mask) in case.numbers))
+
+
 def _choosing(
     record: Record,
     last: Field,
@@ -72,7 +80,7 @@ def _choosing(
     device: Device,
 ) -> RecordLayout:
     """The layout of a record whose last field has cases, with one for each of these."""
-    cases = _case_layouts(record, choice, orders, device)
+    cases = tuple(_with_all_bits(choice, case) for case in _case_layouts(record, choice, orders, device))
     chosen: dict[int, RecordLayout] = {}
     for case in cases:
         decided = replace(last, value=case.value, choice=None)
@@ -101,8 +109,8 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders, 
     offset = 0
     fields: list[FieldLayout] = []
     enums = device.enums
-    differing = {field.name for field in record.fields if field.record and records[field.record].size is None}
     lists = [field for field in record.fields if _varies(field, records)]
+    differing = {own.name for own in lists if own.choice or (own.record and records[own.record].size is None)}
     is_inner = any(field is not record.fields[-1] or _is_never_open(field) for field in lists)
     is_inner |= bool(differing)
     remaining_fields = [field for field in record.fields if field not in lists]
@@ -144,7 +152,7 @@ def _continuation(field: FieldLayout, enums: Mapping[str, Enum]) -> Continuation
     presence = PresenceLayout(continuation.by, *stated_bits(continuation, decider.value, enums))
     offset = decider.offset if field.record is not None else 0
     order: Literal["big", "little"] = "big" if decider.order == "big" else "little"
-    is_free = continuation.bit is not None and not decider.value.enum and decider.value.writable_ranges is None
+    is_free = bool(continuation.bits) and not decider.value.enum and decider.value.writable_ranges is None
     legal = None if is_free else legal_numbers(continuation, decider.value, enums)
     return Continuation(presence, offset, decider.size, order, legal)
 

@@ -1,8 +1,9 @@
-"""The checksums of the reference codec, bit by bit as the definitions have them."""
+"""The checksums of the reference codec, as the definitions have them; a CRC takes a byte at a time."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 
 from fieldspec.language.model import codecs
 from fieldspec.language.model.checksums import DIGITS, Checksum, checksum_named
@@ -15,23 +16,44 @@ def checksum(algorithm: str, data: bytes, order: str = "big") -> int:
         return codecs.computed(kind.codec, data)
     methods = {"crc": _remainder, "fletcher": _two_sums}
     number = methods.get(kind.method, _total)(kind, data + kind.suffix, kind.unit_order or order)
+    if not kind.avoided:
+        return number
     substitutes = dict(zip(kind.avoided, kind.replacements, strict=True))
     shifts = [8 * place for place in range(kind.size)]
     return sum(substitutes.get(number >> shift & 0xFF, number >> shift & 0xFF) << shift for shift in shifts)
 
 
+_MIRRORED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
+"""Each byte with its bits in the opposite order."""
+
+
 def _remainder(kind: Checksum, data: bytes, _order: str) -> int:
     """The remainder of the division of the data by the polynomial; numbers begin with the last of their bytes."""
-    top, register, mask = 1 << kind.width - 1, kind.initial, kind.mask
-    for step in range(-(-len(data) // kind.unit_size) * kind.unit_size):
-        place = step + kind.unit_size - 1 - 2 * (step % kind.unit_size)
-        byte = data[place] if place < len(data) else 0
-        for bit in range(8) if kind.reflect_in else reversed(range(8)):
-            is_divided = bool(register & top) != bool(byte >> bit & 1)
-            register = (register << 1 & mask) ^ (kind.polynomial if is_divided else 0)
+    width = max(kind.width, 8)
+    spare, mask = width - kind.width, (1 << width) - 1
+    remainders = _remainders(width, kind.polynomial << spare)
+    units = (data[place : place + kind.unit_size] for place in range(0, len(data), kind.unit_size))
+    content = data if kind.unit_size == 1 else b"".join(unit.ljust(kind.unit_size, b"\0")[::-1] for unit in units)
+    register = kind.initial << spare  # at least eight bits, so that a whole byte is divided at once
+    for byte in content.translate(_MIRRORED) if kind.reflect_in else content:
+        register = (register << 8 & mask) ^ remainders[register >> width - 8 ^ byte]
+    register >>= spare
     if kind.reflect_out:
-        register = sum((register >> place & 1) << kind.width - 1 - place for place in range(kind.width))
+        register = int(f"{register:0{kind.width}b}"[::-1], 2)
     return register ^ kind.final_xor
+
+
+@cache
+def _remainders(width: int, polynomial: int) -> list[int]:
+    """The remainders of all bytes with zeros after them, bit by bit as the definition has it."""
+    remainders = []
+    for byte in range(256):
+        register = byte << width - 8
+        for _ in range(8):
+            is_divided = bool(register >> width - 1)
+            register = (register << 1 & (1 << width) - 1) ^ (polynomial if is_divided else 0)
+        remainders.append(register)
+    return remainders
 
 
 def _terms(kind: Checksum, data: bytes, order: str) -> Iterator[int]:

@@ -14,11 +14,14 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.reference.escapes import escaped, unescaped
-from fieldspec.codec.reference.parts import checksum_of, checksum_text, part_construct
+from fieldspec.codec.reference.parts import FrameParts, checksum_of, checksum_text
 from fieldspec.codec.reference.records import CodecError, Values, decoded, encoded
 from fieldspec.codec.reference.structs import is_sequence, record_struct
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.language.model.digits import digits_text
+
+Outline = tuple[bytes, Values]
+"""The bytes of all parts of a frame and its data, and the numbers of the parts around the data by name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,12 +47,7 @@ class FrameCodec:
 
     def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
         self.layout, self.link = layout, link
-        self.heads: dict[str, construct.Struct] = {}
-        self.tails: dict[str, construct.Struct] = {}
-        for direction in ("request", "response"):
-            shape = link.frame(direction)
-            for parts, structs in ((shape.header, self.heads), (shape.trailer, self.tails)):
-                structs[direction] = construct.Struct(*(part.name / part_construct(part) for part in parts))
+        self.framed = {shape.direction: FrameParts(shape) for shape in (link.request, link.response)}
 
     def parts(self, frame: bytes, direction: str) -> bytes:
         """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""
@@ -75,69 +73,63 @@ class FrameCodec:
 
         `message` names the message if the frame does not identify it. Raises CodecError.
         """
-        shape = self.link.frame(direction)
-        head, data = self._around(frame, direction)
+        return self.decode_outline(self.outline(frame, direction), direction, message)
+
+    def outline(self, frame: bytes, direction: str) -> Outline:
+        """The binary form of a frame with the numbers around its data, right or wrong. Raises CodecError."""
+        data, framed = self.parts(frame, direction), self.framed[direction]
+        _refuse_short(framed.shape, data)
+        if framed.shape.escape is not None:
+            data = self._original(framed, data)
+        return data, framed.numbers(data)
+
+    def decode_outline(self, outline: Outline, direction: str, message: str = "") -> Decoded:
+        """The meaning of a frame with some outline. Raises CodecError."""
+        framed, (data, stated) = self.framed[direction], outline
+        shape, numbers = framed.shape, {**stated}
+        self._check_around(framed, numbers, data)
         inner = data[shape.header_size : len(data) - shape.trailer_size]
-        announced, body, error = self._body(shape, head, inner, message)
+        announced, body, error = self._body(shape, numbers, inner, message)
         values = decoded(body, inner, self.layout.device, shape.header_size)
-        visible = {part.name: head[part.name] for part in shape.header if _is_visible(part)}
+        visible = {name: numbers[name] for name in framed.visible}
         return Decoded(self.link.name, direction, announced, error, visible, values, data, body)
 
-    def frame_head(self, frame: bytes, direction: str) -> Values:
-        """The parts before the data of a frame, whatever the data are. Raises CodecError where a part is wrong."""
-        return self._around(frame, direction)[0]
+    def frame_numbers(self, frame: bytes, direction: str) -> Values:
+        """The parts around the data of a frame, whatever the data are. Raises CodecError where a part is wrong."""
+        data, numbers = self.outline(frame, direction)
+        self._check_around(self.framed[direction], numbers, data)
+        return numbers
 
-    def _around(self, frame: bytes, direction: str) -> tuple[Values, bytes]:
-        """The parts before the data, and the bytes of all parts. Raises CodecError where a part is wrong."""
-        data = self.parts(frame, direction)
-        shape = self.link.frame(direction)
-        _refuse_short(shape, data)
-        if shape.escape is not None:
-            data = self._original(shape, data)
-        head = dict(self.heads[direction].parse(data[: shape.header_size]))
-        head.pop("_io", None)
-        tail = self.tails[direction].parse(data[len(data) - shape.trailer_size :])
-        self._check_digits(shape.digits, {**head, **tail}, data)
-        self._check_lengths(shape, head, data, True)
-        self._check_sum(shape, {**head, **tail}, data, True)
-        for part in shape.constants:
-            number = head[part.name] if part in shape.header else tail[part.name]
-            if number != part.constant:
-                text = f"{part.name} is {number}, not {part.constant}"
+    def _check_around(self, framed: FrameParts, numbers: Values, data: bytes) -> None:
+        """Raises CodecError where a part around the data is wrong."""
+        self._check_digits(framed.digits, numbers, data)
+        self._check_lengths(framed, numbers, data, True)
+        self._check_sum(framed, numbers, data, True)
+        for part in framed.constants:
+            if numbers[part.name] != part.constant:
+                text = f"{part.name} is {numbers[part.name]}, not {part.constant}"
                 raise CodecError("wrong_const", text, part.at(len(data)))
-        return head, data
 
     def has_right_checksum(self, frame: bytes, direction: str) -> bool:
         """Whether a frame has a checksum and it is right, whatever the length in the frame says."""
-        shape = self.link.frame(direction)
-        if not shape.checksums:
-            return False
+        framed = self.framed[direction]
         try:
-            data = self.parts(frame, direction)
-            if len(data) < shape.header_size + shape.trailer_size:
-                return False
-            if shape.escape is not None:
-                data = self._original(shape, data)
-            head = self.heads[direction].parse(data[: shape.header_size])
-            tail = self.tails[direction].parse(data[len(data) - shape.trailer_size :])
-            self._check_sum(shape, {**head, **tail}, data, True)
+            data, numbers = self.outline(frame, direction)
+            self._check_sum(framed, numbers, data, True)
         except CodecError:
             return False
-        return True
+        return bool(framed.checksums)
 
-    def _original(self, shape: FrameLayout, data: bytes) -> bytes:
+    def _original(self, framed: FrameParts, data: bytes) -> bytes:
         """The parts before they were escaped, after those around were compared with what was sent."""
+        shape = framed.shape
         assert shape.escape is not None
         start, stop = shape.escape_start, len(data) if shape.escape_stop is None else len(data) + shape.escape_stop
-        sent_parts = {
-            part.name: part_construct(part).parse(data[part.at(len(data)) :])
-            for part in shape.parts
-            if not part.escaped
-        }
-        early = (part for part in shape.lengths if part in shape.digits and not part.before_escape)
+        sent_parts = framed.numbers(data, is_sent=True)
+        early = (part for part in framed.lengths if part in framed.digits and not part.before_escape)
         self._check_digits(early, sent_parts, data)
-        self._check_lengths(shape, sent_parts, data, False)
-        self._check_sum(shape, sent_parts, data, False)
+        self._check_lengths(framed, sent_parts, data, False)
+        self._check_sum(framed, sent_parts, data, False)
         offset = len(shape.start) + start
         result = data[:start] + unescaped(shape.escape, data[start:stop], offset) + data[stop:]
         _refuse_short(shape, result)
@@ -151,23 +143,23 @@ class FrameCodec:
                 assert part.value is not None
                 raise CodecError("unknown_value", f"{part.name} is not {digits_text(part.value)}", part.at(len(data)))
 
-    def _check_lengths(self, shape: FrameLayout, head: Values, data: bytes, is_original: bool) -> None:
-        for part in shape.lengths:
-            if _is_sent(shape, part) == is_original:
+    def _check_lengths(self, framed: FrameParts, numbers: Values, data: bytes, is_original: bool) -> None:
+        for part in framed.lengths:
+            if _is_sent(framed.shape, part) == is_original:
                 continue
-            announced = head[part.name] * part.unit_size + part.base
+            number = numbers[part.name]
+            announced = number * part.unit_size + part.base
             if announced != len(data):
-                text = f"{part.name} is {head[part.name]}, but the frame has {len(data)} bytes"
-                if announced != head[part.name]:
-                    comparison = f"for a frame of {announced} bytes, but there are {len(data)}"
-                    text = f"{part.name} is {head[part.name]}, {comparison}"
+                text = f"{part.name} is {number}, but the frame has {len(data)} bytes"
+                if announced != number:
+                    text = f"{part.name} is {number}, for a frame of {announced} bytes, but there are {len(data)}"
                 raise CodecError("wrong_length", text, part.offset)
 
-    def _check_sum(self, shape: FrameLayout, parts: Mapping[str, Any], data: bytes, is_original: bool) -> None:
-        for part in shape.checksums:
-            if _is_sent(shape, part) == is_original:
+    def _check_sum(self, framed: FrameParts, numbers: Values, data: bytes, is_original: bool) -> None:
+        for part in framed.checksums:
+            if _is_sent(framed.shape, part) == is_original:
                 continue
-            actual, want = parts[part.name], checksum_of(part, data)
+            actual, want = numbers[part.name], checksum_of(part, data)
             if actual != want:
                 text = f"{part.name} is {checksum_text(actual, part)}, not {checksum_text(want, part)}"
                 raise CodecError("wrong_checksum", text, part.at(len(data)))
@@ -266,16 +258,16 @@ class FrameCodec:
 
     def _complete(self, direction: str, numbers: Values, inner: bytes, is_sent: bool) -> None:
         """Fills in the lengths and the checksums of the sent bytes, or of the bytes before escaping."""
-        shape = self.link.frame(direction)
-        for length in shape.lengths:
-            if _is_sent(shape, length) == is_sent:
+        framed = self.framed[direction]
+        for length in framed.lengths:
+            if _is_sent(framed.shape, length) == is_sent:
                 total = len(self._joined(direction, numbers, inner, is_sent))
                 units = length.number(total)
                 if units is None:
                     raise CodecError("wrong_length", f"{length.name} cannot say that the frame has {total} bytes")
                 numbers[length.name] = units
-        for check in shape.checksums:
-            if _is_sent(shape, check) == is_sent:
+        for check in framed.checksums:
+            if _is_sent(framed.shape, check) == is_sent:
                 numbers[check.name] = checksum_of(check, self._joined(direction, numbers, inner, is_sent))
 
     def _refuse_barred(self, shape: FrameLayout, message: MessageLayout, values: Mapping[str, Any]) -> None:
@@ -287,11 +279,11 @@ class FrameCodec:
 
     def original_parts(self, frame: bytes, direction: str) -> bytes:
         """The binary form of a frame, before its bytes were escaped. Raises CodecError."""
-        data, shape = self.parts(frame, direction), self.link.frame(direction)
-        if shape.escape is None:
+        data, framed = self.parts(frame, direction), self.framed[direction]
+        if framed.shape.escape is None:
             return data
-        _refuse_short(shape, data)
-        return self._original(shape, data)
+        _refuse_short(framed.shape, data)
+        return self._original(framed, data)
 
     def with_checksum(self, direction: str, parts: bytes) -> bytes:
         """The binary form of a frame with the checksums that are right for its other parts."""
@@ -308,9 +300,9 @@ class FrameCodec:
 
     def _joined(self, direction: str, numbers: Values, body: bytes, is_sent: bool) -> bytes:
         """The parts of a frame as bytes, escaped where they are sent so."""
-        head, tail = self.heads[direction].build(numbers), self.tails[direction].build(numbers)
-        data = bytes(head + body + tail)
-        return self._escaped(self.link.frame(direction), data) if is_sent else data
+        framed = self.framed[direction]
+        data = framed.data(numbers, body)
+        return self._escaped(framed.shape, data) if is_sent else data
 
     @staticmethod
     def _escaped(shape: FrameLayout, data: bytes) -> bytes:
@@ -372,11 +364,6 @@ def _refuse_short(shape: FrameLayout, data: bytes) -> None:
 def _is_sent(shape: FrameLayout, part: PartLayout) -> bool:
     """Whether a length or a checksum is that of the bytes which are sent, not of those before they are escaped."""
     return shape.escape is not None and not part.before_escape
-
-
-def _is_visible(part: PartLayout) -> bool:
-    """Whether a part before the body belongs to what a frame says."""
-    return part.role not in ("length", "checksum") and not part.reserved
 
 
 @dataclass(frozen=True, slots=True)

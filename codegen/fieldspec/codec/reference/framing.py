@@ -277,7 +277,7 @@ class Framing:
     def _is_right(self, frame: bytes) -> bool:
         """Whether all parts around the data are right, whatever the data are."""
         try:
-            head = self.codec.frame_head(frame, self.direction)
+            numbers = self.codec.frame_numbers(frame, self.direction)
             size = len(frame)
             if self.is_escaped:
                 marks = len(self.shape.start) + len(self.shape.end)
@@ -287,4 +287,4 @@ class Framing:
         if not self.least <= size <= (self.most if self.is_escaped else self.longest):
             return False
         part = self.shape.role("unit_address")
-        return part is None or self._is_addressed(head[part.name])
+        return part is None or self._is_addressed(numbers[part.name])

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import construct
 
+from fieldspec.codec.layout.frame import FrameLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.reference.checksums import checksum, checksum_digits
 from fieldspec.codec.reference.structs import value_construct
@@ -16,6 +19,34 @@ def part_construct(part: PartLayout) -> construct.Construct:
     if part.digits:
         return construct.Bytes(part.size)
     return construct.BytesInteger(part.size, swapped=part.order != "big")
+
+
+class FrameParts:
+    """The parts around the data of all frames in one direction, with what depends on their layout alone."""
+
+    def __init__(self, shape: FrameLayout) -> None:
+        self.shape = shape
+        self.lengths, self.checksums = shape.lengths, shape.checksums
+        self.digits, self.constants = shape.digits, shape.constants
+        self.visible = [
+            part.name for part in shape.header if part.role not in ("length", "checksum") and not part.reserved
+        ]
+        """The names of the parts before the data that belong to what a frame says."""
+        self._constructs = [(part, part_construct(part)) for part in shape.parts]
+
+    def numbers(self, data: bytes, is_sent: bool = False) -> dict[str, Any]:
+        """The numbers of parts by name, None for what is not digits. In sent bytes, no escaped part has its place."""
+        size = len(data)
+        return {
+            part.name: number.parse(data[part.at(size) : part.at(size) + part.size])
+            for part, number in self._constructs
+            if not (is_sent and part.escaped)
+        }
+
+    def data(self, numbers: dict[str, Any], body: bytes) -> bytes:
+        """The bytes of all parts around some data."""
+        part_bytes = b"".join(number.build(numbers[part.name]) for part, number in self._constructs)
+        return part_bytes[: self.shape.header_size] + body + part_bytes[self.shape.header_size :]
 
 
 def checksum_of(part: PartLayout, data: bytes) -> int | bytes:

@@ -93,10 +93,13 @@ def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, d
     extents, fault = inner.extents_in(data)
     if fault is not None:
         own = inner.lists[len(extents)]
-        text = f"{own.name} has the wrong number of bytes"
+        detail = f"{own.name} has the wrong number of bytes"
         if fault.reason == "unknown_value" and own.decision is not None:
-            text = f"{own.decision.name} chooses nothing that may follow"
-        raise CodecError(fault.reason, text, offset + fault.at)
+            detail = f"{own.decision.name} chooses nothing that may follow"
+        raise CodecError(fault.reason, detail, offset + fault.at)
+    text = inner.text_with_zero(data, extents)
+    if text is not None:
+        raise CodecError("unknown_value", f"{text[0]} has a zero", offset + text[1])
     try:
         values = decoded(record.image, inner.image_of(data, extents), device)
         pairs = zip(inner.lists, extents, strict=True)

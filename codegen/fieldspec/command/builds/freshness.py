@@ -1,7 +1,8 @@
 """Which outputs of an earlier build are still up to date, and the manifest that a build leaves among them.
 
 A build records hashes of the compiler, of the spec files that it read, and of the files that it wrote. An output of a
-device is up to date where all of these are unchanged. Times of files play no part.
+device is up to date where all of these are unchanged. Times of files are compared only within a process, with those
+that it has seen itself.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -97,12 +99,27 @@ def digest(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
+_DIGESTS: dict[tuple[int, ...], str] = {}
+"""The hashes of files that this process has read, by all that the system changes when it changes a file."""
+_MOST_DIGESTS = 100_000
+_SETTLED = 3_000_000_000
+"""The nanoseconds after which the clock of any file system has moved on."""
+
+
 def file_digest(output_folder: Path, path: str) -> str | None:
-    """The hash of a file of a folder as it is now; None where it cannot be read."""
+    """The hash of a file of a folder as it is now; None where it cannot be read. Only changed files are read again."""
+    name = f"{output_folder}/{path}"
     try:
-        return digest(content(f"{output_folder}/{path}", LARGEST_OUTPUT))
+        status, now = os.stat(name), time.time_ns()
+        state = status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns
+        file_hash = _DIGESTS.get(state) or digest(content(name, LARGEST_OUTPUT))
     except OSError:
         return None
+    if max(state[-2:]) + _SETTLED < now:
+        if len(_DIGESTS) == _MOST_DIGESTS:
+            _DIGESTS.clear()
+        _DIGESTS[state] = file_hash
+    return file_hash
 
 
 class EarlierBuild:
@@ -130,7 +147,6 @@ class EarlierBuild:
         self._name = str(output_folder.resolve())
         self._specs: Hashes = {}
         self._note: dict[str, Any] = {}
-        self._file_digests: dict[str, str | None] = {}
         self.trusted = trusted
         self._compiler = _running(packages or {}) if trusted else ""
         note = cache_folder.cached(KIND, self._name) if self._compiler else None
@@ -157,9 +173,7 @@ class EarlierBuild:
 
     def hash_of(self, path: str) -> str | None:
         """The hash of a file of the outputs as it is now; None where it cannot be read."""
-        if path not in self._file_digests:
-            self._file_digests[path] = file_digest(self.out, path)
-        return self._file_digests[path]
+        return file_digest(self.out, path)
 
     def confined(self) -> bool:
         """Whether only files of known devices have changed, so that the others need not be read."""

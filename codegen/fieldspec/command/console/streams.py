@@ -37,7 +37,7 @@ def print_line(text: str) -> None:
 
 def print_note(text: str) -> None:
     """Prints a line to standard error, as `print_line` does to standard output."""
-    print(visible_text(text), file=sys.stderr, flush=True)
+    print(visible_text(text), file=sys.stderr)
 
 
 def print_error(reason: object) -> None:

@@ -61,10 +61,16 @@ def links_that_read(layout: DeviceLayout) -> list[str]:
 
 
 def access_of(client: Client) -> Access:
-    """What can be read and written by name over the link of a client."""
-    if has_registers(client.layout):
-        return RegisterAccess(client.layout)
-    return ParameterAccess(client.layout, client.frames.link)
+    """What can be read and written by name over the link of a client: registers, or parameters and messages."""
+    layout, link = client.layout, client.frames.link
+    if has_registers(layout) and not _has_signals_only(layout, link):
+        return RegisterAccess(layout)
+    return ParameterAccess(layout, link)
+
+
+def _has_signals_only(layout: DeviceLayout, link: LinkLayout) -> bool:
+    """Whether messages of a link read parameters and other values, but no registers."""
+    return not _reads_registers(layout, link) and any(True for _ in signals(layout, link))
 
 
 @contextmanager
@@ -113,7 +119,7 @@ def link_of_values(layout: DeviceLayout, arguments: argparse.Namespace) -> str:
         if not arguments.link:
             usual = layout.device.default_link
             return usual if usual in suitable or not suitable else suitable[0]
-        if suitable and arguments.link not in suitable:
+        if suitable and arguments.link not in suitable and not _has_signals_only(layout, layout.links[arguments.link]):
             raise UsageError(
                 f"no message of {arguments.link} reads registers; say --link {' or --link '.join(suitable)}"
             )

@@ -70,8 +70,7 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
     checksums = {part.name for part in shape.checksums}
     code = shape.role("code")
     message = layout.messages.get(explanation.message)
-    accesses = message.message.single_access if message else None
-    addresses = {code.name if code else "", accesses.start if accesses else "", *_in_digits(layout, explanation)}
+    addresses = {code.name if code else "", *_in_digits(layout, explanation)}
     headings = ("at", "sent", "bytes", "field", "label", "raw", "value", *_JUDGED)
     lines: list[tuple[tuple[str, ...], bool]] = []
     for _, group in groupby(explanation.rows, key=_run):
@@ -92,13 +91,19 @@ def frame_table(layout: DeviceLayout, explanation: Explanation) -> Table:
 
 
 def _in_digits(layout: DeviceLayout, explanation: Explanation) -> Iterator[str]:
-    """The fields that are best read in hexadecimal: words of bits, and numbers that the manual writes so."""
+    """The fields that are best read in hexadecimal: addresses, words of bits, and numbers that the manual writes so.
+
+    Numbers that are sent as characters are best read as these.
+    """
     message = layout.messages.get(explanation.message)
+    access = message.message.single_access if message else None
     for field in message.data(explanation.direction).fields if message and not explanation.error else ():
         value, number = field.value, explanation.values.get(field.name)
-        if value is not None and value.flags:
+        if value is None or value.has_characters:
+            continue
+        if value.flags or (access is not None and field.name == access.start):
             yield field.name
-        if value is not None and value.parameter is not None and isinstance(number, int):
+        if value.parameter is not None and isinstance(number, int):
             match = layout.device.parameter_at(value.parameter.set, number)
             if value.parameter.part == "number" and (match is None or match[0].printed_as or match[0].base):
                 yield field.name

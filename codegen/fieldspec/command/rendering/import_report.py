@@ -97,7 +97,8 @@ def _columns(result: Imported) -> Iterator[str]:
     if result.sheet.joined:
         yield f"sheets used: {', '.join(result.sheet.joined)}; their rows count on from one to the next"
     if result.sheet.others:
-        yield f"sheets not used beside {result.sheet.name}: {', '.join(result.sheet.others)}; --sheet names one"
+        used_name = result.sheet.name or "these"
+        yield f"sheets not used beside {used_name}: {', '.join(result.sheet.others)}; --sheet names one"
     if result.sheet.beside:
         yield f"not used beside the list: {'; '.join(_cut(result.sheet.beside))}"
 

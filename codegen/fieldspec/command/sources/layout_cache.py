@@ -166,6 +166,8 @@ class _Freezing:
             return ["dict", *(self.value(element) for pair in value.items() for element in pair)]
         if kind is bytes:
             return ["bytes", value.hex()]
+        if kind is range:
+            return ["range", value.start, value.stop, value.step]
         # The most frequent objects, each used once: a line for each would be too much. Of nodes, only the span matters.
         if kind is Span or kind.__module__ == _NODES:
             return ["span", self.files.setdefault(value.file.path, len(self.files)), value.start, value.end]
@@ -297,6 +299,7 @@ _VALUES: dict[str, Callable[[_Thawing, list[Any]], Any]] = {
     "frozenset": lambda own, items: frozenset(map(own.value, items)),
     "dict": lambda own, items: own.pairs(items),
     "bytes": lambda own, items: bytes.fromhex(items[0]),
+    "range": lambda own, items: range(*items),
     "span": lambda own, items: Span(own.file(items[0]), items[1], items[2]),
     "enum": lambda own, items: own.cls(items[0])[items[1]],
     "decimal": lambda own, items: _decimal(items[0]),

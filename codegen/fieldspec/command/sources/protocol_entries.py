@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from functools import lru_cache
 from pathlib import Path
 
 from fieldspec.command.console.usage import UsageError
@@ -114,11 +115,18 @@ def _tree(path: Path) -> Mapping:
         content = regular_file.content(path, LARGEST_FILE)
     except OSError as error:
         raise UsageError(f"cannot read {path}: {error.strerror}") from None
-    node, _ = parsed(decoded(path.name, content)[0])
-    tree = typed(node)[0] if node is not None else None
-    if not isinstance(tree, Mapping) or read({f"{PROTOCOLS}/{path.name}": content}).findings:
+    tree = _protocol(path.name, content)
+    if tree is None:
         raise UsageError(f"the protocol {path.stem} has findings; see them with: fieldspec check")
     return tree
+
+
+@lru_cache(maxsize=16)
+def _protocol(name: str, content: bytes) -> Mapping | None:
+    """The tree of a protocol, which an import asks several times. None for one that has findings."""
+    node, _ = parsed(decoded(name, content)[0])
+    tree = typed(node)[0] if node is not None else None
+    return tree if isinstance(tree, Mapping) and not read({f"{PROTOCOLS}/{name}": content}).findings else None
 
 
 def _texts(node: Node) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import json
 import sys
 import threading
@@ -69,6 +70,8 @@ def run(arguments: argparse.Namespace) -> int:
         seed=arguments.seed,
     )
     report_silence(simulation.server)
+    gc.freeze()
+    gc.enable()  # a device may be served for long; what there is now stays
     if arguments.dump:
         _seed(simulation, arguments.dump)
     recording: TextIO | None = None

@@ -158,18 +158,18 @@ class Choice:
         error = self.refused_by(number)
         if error is not None:
             raise error
-        return self.cases[number]
+        return self.cases[index(number)]
 
     def refused_by(self, number: Any) -> CodecError | None:
         """Why a value of the selector cannot be encoded; None for one that can be."""
-        if isinstance(number, int) and number in self.cases:
+        if hasattr(number, "__index__") and index(number) in self.cases:
             return None
         return CodecError("unknown_value", f"{self.by} is {number}, which chooses nothing that may follow")
 
     def refused(self, name: str, number: int, values: Any) -> CodecError | None:
         """Why elements cannot be encoded for a value of the selector; None for those that can be."""
-        return refused_list(name, values, self.least, self.most, self.cases[number].value.refused)
+        return refused_list(name, values, self.least, self.most, self.cases[index(number)].value.refused)
 
     def refused_element(self, name: str, number: int, value: Any) -> CodecError | None:
         """Why the element of a field that is not repeated cannot be encoded; None for one that can be."""
-        return self.cases[number].value.refused(name, value)
+        return self.cases[index(number)].value.refused(name, value)

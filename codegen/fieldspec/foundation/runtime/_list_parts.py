@@ -12,7 +12,8 @@ if TYPE_CHECKING:
 class Decision:
     """The number that decides how many bytes an element has: the field `name`, `length` bytes at `at` in the image.
 
-    Only its bits in the `mask` decide.
+    Only its bits in the `mask` decide. A size below zero is that of a text, whose most bytes it is without the sign;
+    another number counts them.
     """
 
     __slots__ = ("at", "length", "mask", "name", "order", "sizes")
@@ -30,6 +31,11 @@ class Decision:
         if size is None:
             raise CodecError("unknown_value", f"{self.name} is {number}, which chooses nothing that may follow", at)
         return size
+
+    def sent(self, image: bytes, element: bytes) -> bytes:
+        """The sent bytes of the element, as an image decides them."""
+        size = self.size(image, 0)
+        return element[:size] if size >= 0 else element[:-size].rstrip(b"\0")
 
 
 class Packing:
@@ -75,7 +81,7 @@ class More:
     __slots__ = ("at", "following", "length", "mask", "order")
 
     def __init__(
-        self, at: int, length: int, order: Literal["big", "little"], mask: int, following: tuple[int, ...]
+        self, at: int, length: int, order: Literal["big", "little"], mask: int, following: tuple[int, ...] | range
     ) -> None:
         self.at, self.length, self.mask, self.following = at, length, mask, following
         self.order: Literal["big", "little"] = order

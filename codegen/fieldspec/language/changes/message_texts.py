@@ -86,9 +86,8 @@ def bits_text(comparison: Comparison | None, holder_path: str, field: Field, key
 def _bits_text(comparison: Comparison | None, holder_path: str, presence: Presence, fields: tuple[Field, ...]) -> str:
     """The bits or members of one of some fields that say that something is sent."""
     name = presence.by if comparison is None else comparison.renamed_to(holder_path, presence.by)
-    if presence.bit is not None:
-        return f"bit {presence.bit} of {name or 'each element'} if it is {presence.value}"
     enum = next((own.value.enum for own in fields if own.name == presence.by and own.value is not None), "")
     path = f"enums/{enum}"
     members = [comparison.renamed_to(path, own) if comparison is not None else own for own in presence.when]
-    return f"{name or 'each element'} if it is {' or '.join(sorted(members))}"
+    renamed = replace(presence, by=name or "each element", when=tuple(sorted(members)))
+    return f"{renamed.subject} if it is {renamed.state}"

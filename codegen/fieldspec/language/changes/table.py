@@ -113,7 +113,7 @@ RULES: tuple[tuple[str, Rule, tuple[Effect, ...]], ...] = (
     ("limit_changed", limit_changed, (_B, _D)),
     ("member_added", member_added, (_B, _D)),
     ("member_removed", member_removed, (_W, _D)),
-    ("member_renumbered", member_renumbered, (_W,)),
+    ("member_renumbered", member_renumbered, (_W, _D)),
     ("network_changed", network_changed, (_B,)),
     ("number_changed", number_changed, (_W, _D)),
     ("openness_changed", openness_changed, (_S, _B)),

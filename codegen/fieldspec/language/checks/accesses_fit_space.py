@@ -1,6 +1,6 @@
-"""A message that accesses an address space carries the units of that space: words as `u16`, bytes as `u8`, bits packed
-into a repeated `u8`, or a single bit as a number; `set` states which number means 1. The number of words or bytes in a
-write request is computed from the values.
+"""A message that accesses an address space carries the units of that space: words as `u16`, bytes as `u8`, both also
+as two hexadecimal digits for each byte; bits packed into a repeated `u8`, or a single bit as a number; `set` states
+which number means 1. The number of words or bytes in a write request is computed from the values.
 
 Why: outputs read the value of a register from the data of the message. They need the position of each word or bit, and
 the number that stands for a bit that is 1.
@@ -21,7 +21,7 @@ from fieldspec.language.checks.finding import enumeration, finding, label, range
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT, BYTE, WORD, AddressSpace
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import digits_text
+from fieldspec.language.model.digits import digits_text, is_hexadecimal_count
 from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.ranges import Ranges, merged
 from fieldspec.language.model.record import Field, Message, RegisterAccess
@@ -58,7 +58,7 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
         if field is None or field.value is None:
             continue
         if space.unit != BIT:
-            yield from _words(message, access, field, space)
+            yield from _words(device, message, access, field, space)
         elif space.unit == BIT and field.repeat is not None:
             yield from _packed(message, access, field, space)
         elif space.unit == BIT:
@@ -101,7 +101,9 @@ def spaces_of_bits(device: Device) -> dict[str, list[str]]:
     }
 
 
-def _words(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
+def _words(
+    device: Device, message: Message, access: RegisterAccess, field: Field, space: AddressSpace
+) -> Iterator[Diagnostic]:
     count = message.request.named(access.count) if access.count and access.operation == "write" else None
     if count is not None and count.measures is None and field.repeat is not None:
         text = f"{count.name} may differ from the number of {field.name} in {message.name}"
@@ -110,14 +112,23 @@ def _words(message: Message, access: RegisterAccess, field: Field, space: Addres
     if access.set is not None:
         text = f"`set` and `clear` have no effect in {message.name}, which accesses {space.unit}s"
         yield _of(message, text, "remove them", space)
-    if field.value is not None and (not is_count(field.value.encoding) or field.value.size != space.unit_size):
+    if field.value is None:
+        return
+    if is_hexadecimal_count(field.value, space.unit_size):
+        order = "little" if field.value.is_low_first else "big"
+        if space.unit_size > 1 and order != device.byte_order:
+            text = f"{field.name} has the {order}-endian digits of a word, but registers are {device.byte_order}-endian"
+            help = "state one byte order for the registers and their digits"
+            yield finding(_CODE, field.place, "digits", text, help)
+    elif not is_count(field.value.encoding) or field.value.size != space.unit_size:
         form = digits_text(field.value) if field.value.digits else field.value.type.name
         text = f"{field.name} is {form}, but {message.name} accesses {space.unit}s"
         help = f"use `u{8 * space.unit_size}`, and give the registers their types"
         if field.value.digits:
-            help = "registers are not sent as digits: state them as `parameters`, which messages may carry as digits"
+            help = f"{space.unit}s are sent in {2 * space.unit_size} hexadecimal digits without a sign: state others as"
+            help = f"{help} `parameters`"
         yield finding(_CODE, field.place, "type", text, help)
-    elif field.value is not None and is_signed(field.value.encoding) and space.unit == BYTE:
+    elif is_signed(field.value.encoding) and space.unit == BYTE:
         text = f"{field.name} is {field.value.type.name}, but the bytes of a register have no sign"
         yield finding(_CODE, field.place, "type", text, "use `u8`, and give the registers their types")
 

@@ -1,6 +1,7 @@
 """The first parts of a frame on a CAN bus are all bits of its identifier, the same in requests and responses, and the
-data have at most eight bytes. Numbers fit into their bits. Only a CAN bus has parts with bits and remote requests. A
-remote request has all its parts in the identifier, and a code among them.
+data have at most eight bytes; if they have several lists, each has room for all its elements beside the least of the
+others. Numbers fit into their bits. Only a CAN bus has parts with bits and remote requests. A remote request has all
+its parts in the identifier, and a code among them.
 
 Why: the value of a bit without a part would be undefined, and a frame with more data cannot be sent.
 
@@ -128,11 +129,12 @@ def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
         parts_size = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
         for message in messages_sent(device, link, direction):
             record = message.request if direction == "request" else message.response
-            bounds = sizes.bounds(record)
-            if bounds is not None and bounds[1] + parts_size > CAN_DATA:
-                text = (
-                    f"the {direction} of {message.name} has {bounds[1] + parts_size} bytes, and a CAN frame {CAN_DATA}"
-                )
+            bounds = [sizes.field(field) for field in record.fields]
+            known = [pair for pair in bounds if pair is not None]
+            # Lists may fill a frame together, such as data and padding; encoders reject more.
+            size = parts_size + sum(low for low, _ in known) + max((high - low for low, high in known), default=0)
+            if len(known) == len(bounds) and size > CAN_DATA:
+                text = f"the {direction} of {message.name} has {size} bytes, and a CAN frame {CAN_DATA}"
                 yield finding(_CODE, message.place, direction, text, "divide it into several messages")
     error = link.exception_response
     record_bounds = sizes.bounds(device.records[error.record]) if error and error.record in device.records else None

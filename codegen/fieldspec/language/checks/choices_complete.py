@@ -1,7 +1,8 @@
 """The field that decides a choice comes before it in its record and is a single unsigned number with an enum; each
 member of that enum is in at most one case. If `bits` decide, the number has at most four bytes, and its `flags` have an
 enum in exactly these bits. A choice with several elements ends the data of a message or of an exception response, and
-all fields before it have a fixed size; no `bits` decide it. No field measures any other choice, no choice contains a
+all fields before it have a fixed size; only bits of a byte decide it. A field that measures any other choice is the
+first before it that counts its bytes, as a binary number of one or two bytes without a `range`. No choice contains a
 parameter, and no table contains a choice.
 
 Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members
@@ -23,7 +24,7 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Whole, is_count, is_signed
-from fieldspec.language.model.record import Case, Choice, Field, Record
+from fieldspec.language.model.record import Case, Choice, Field, Record, choice_count
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.value import Value
 
@@ -58,24 +59,34 @@ def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool)
     if field.count is not None:
         text = f"{field.name} has a choice and a `count`"
         yield finding(_CODE, field.place, "count", text, "use `repeat` to the end of the data, or remove `count`")
-    elif field.repeat is not None and has_bits:
-        text = f"some bits decide the type of {field.name}, which has several elements"
+    elif field.repeat is not None and has_bits and not _is_byte(layer, field):
+        text = f"some bits decide the type of {field.name}, which has several elements, and are not in one byte"
         yield finding(_CODE, field.place, "repeat", text, "state the choice in a record, and `repeat` that")
     elif field.repeat is not None and (is_part or varying is not None or field is not layer.fields[-1]):
         text = f"{field.name} has a choice and several elements, so only the end of the data determines where they end"
         help = "list it last in a message in which all else has a fixed size, or remove `repeat`"
         labels = [label(varying.place, "name", "has no fixed size")] if varying is not None else []
         yield finding(_CODE, field.place, "repeat", text, help, *labels)
-    if field is layer.fields[-1] and not is_part and varying is None and not has_bits:
+    has_texts = field.choice is not None and field.choice.has_texts
+    is_moved = has_texts or (has_bits and not field.is_list)
+    if field is layer.fields[-1] and not is_part and varying is None and not is_moved:
         return
     for other in other_fields:
-        if other.measures is not None and other.measures.field == field.name:
-            text = f"{other.name} measures {field.name}, whose size {field.choice.by if field.choice else ''} decides"
-            yield finding(_CODE, other.place, "measures", text, "remove `measures`, or state a message for each case")
+        if other.measures is None or other.measures.field != field.name or choice_count(layer, field) is other:
+            continue
+        text = f"{other.name} measures {field.name}, whose size {field.choice.by if field.choice else ''} decides"
+        text += ", and is not the first before it to count its bytes as a binary `u8` or `u16` without a `range`"
+        yield finding(_CODE, other.place, "measures", text, "state it so, or remove `measures`")
     for case in field.choice.cases if field.choice is not None else ():
         if case.value.parameter is not None:
             text = f"{case.name} carries a part of a parameter, and {field.name} does not end a message alone"
             yield finding(_CODE, case.place, "parameter", text, "list it last, after fields of fixed size")
+
+
+def _is_byte(layer: Record, field: Field) -> bool:
+    """Whether the field that decides another one has one byte, or is not there."""
+    selector = layer.named(field.choice.by) if field.choice is not None else None
+    return selector is None or selector.value is None or selector.value.size == 1
 
 
 def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Iterator[Diagnostic]:

@@ -23,13 +23,14 @@ from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.checks.facts import layers, values
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import NIBBLES, NO_CHARACTERS, digit_bounds, digit_count, digits_text
 from fieldspec.language.model.encoding import MACHINE_BITS, Octets, Real, Sign, Text, Truth, Whole, is_count, is_signed
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.primitives import Primitive
-from fieldspec.language.model.record import Field
+from fieldspec.language.model.record import Field, Message, RegisterAccess
 from fieldspec.language.model.sizes import messages_on
 from fieldspec.language.model.value import Value
 
@@ -204,6 +205,16 @@ def _binary_fields(device: Device) -> dict[int, str]:
     for message in device.messages.values():
         for access in message.accesses:
             for field in (*message.request.fields, *message.response.fields):
-                if field.name in access.names:
+                if field.name in access.names and not _may_have_digits(device, message, access, field):
                     uses[id(field)] = "is what reads or writes registers"
     return uses
+
+
+def _may_have_digits(device: Device, message: Message, access: RegisterAccess, field: Field) -> bool:
+    """Whether a message with one access may carry its address, its count or its words as characters, but not its bits.
+
+    `accesses_fit_space` says which characters words have.
+    """
+    if message.single_access is None or field.value is None or not field.value.has_characters:
+        return False
+    return field.name != access.values or device.space(access.space).unit != BIT

@@ -1,4 +1,4 @@
-"""The printed position of a field is the end of the fields before it in the record.
+"""The printed position of a field is the end of the fields before it in the record, which have a fixed size.
 
 Why: the addresses of the first element and the widths of the fields give the same positions. If they differ,
 an address or a width is misprinted, and the wrong bytes are read.
@@ -19,6 +19,8 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.sizes import RecordSizes
 
+_CODE = "offsets_match_layout"
+
 
 def offsets_match_layout(device: Device) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
@@ -28,13 +30,18 @@ def offsets_match_layout(device: Device) -> Iterator[Diagnostic]:
     for layer in layers(device):
         holders = tables.get(layer.name, []) if device.records.get(layer.name) is layer else []
         bases = [table.base for table in holders] or [0]
-        for field, offset in sizes.offsets(layer):
+        placed = sizes.offsets(layer)
+        for field in layer.fields[len(placed) :] if layer.name not in sizes.endless else ():
+            if field.at is not None:
+                text = f"{field.name} is printed at {hexadecimal(field.at)}, but {placed[-1][0].name} before it"
+                yield finding(_CODE, field.place, "at", f"{text} has no fixed size", "remove it")
+        for field, offset in placed:
             if field.at is None:
                 continue
             if offset % 2 or field.at - offset // 2 not in bases:
                 right = f"byte {offset} of {layer.name}" if offset % 2 else hexadecimal(bases[0] + offset // 2)
                 yield finding(
-                    "offsets_match_layout",
+                    _CODE,
                     field.place,
                     "at",
                     f"{field.name} is printed at {hexadecimal(field.at)}, but it is at {right}",

@@ -1,6 +1,6 @@
 """The field that says by its bits whether another one is sent, or how many elements it has, comes before it in its
 record. It is one unsigned binary number of at most four bytes that programs set: not a constant, reserved, optional,
-computed or a parameter. It has the bit, or the enum with the members. At most 16 bits count a list with `repeat`, and
+computed or a parameter. It has the bits, or the enum with the members. At most 16 bits count a list with `repeat`, and
 the field with them has no `range`, scale, enum or special values. The number that says whether another element follows
 is such a number, too; in a record, only fields of fixed size come before it. Some numbers say so, and others not.
 Nothing else measures such fields. The data of exception responses, and of messages that access registers, have none.
@@ -93,7 +93,7 @@ def _decided(device: Device, layer: Record, field: Field, presence: Presence) ->
         text = f"{decider.name} decides whether {field.name} is sent, but does not come before it"
         help = "list the fields in the order of the wire"
         yield finding(_CODE, field.place, _KEY, text, help, label(decider.place, "name", decider.name))
-    objection = _objection(device, decider, presence.bit, needs_enum=presence.bit is None)
+    objection = _objection(device, decider, presence.bits)
     if objection:
         text = f"{decider.name} cannot decide whether {field.name} is sent: {objection}"
         help = "name one unsigned number with the bit or the enum"
@@ -109,7 +109,7 @@ def _count_problems(
     if layer.fields.index(field) >= layer.fields.index(measured):
         yield "but it does not come before it", "list the fields in the order of the wire"
     value = field.value
-    objection = _objection(device, field, high, needs_enum=False)
+    objection = _objection(device, field, (measure.bits,))
     has_meaning = value is not None and (value.enum or value.scaled or value.sentinels or value.ranges)
     if objection or has_meaning:
         yield f"but {objection or 'it is a number with a meaning of its own'}", "name bits of one unsigned number"
@@ -135,7 +135,7 @@ def _end_problems(
     decider = element.named(continuation.by) if element is not None else replace(field, repeat=None)
     if decider is None:
         return
-    objection = _objection(device, decider, continuation.bit, needs_enum=continuation.bit is None)
+    objection = _objection(device, decider, continuation.bits)
     if objection:
         yield f"but {decider.name} cannot: {objection}", "name one unsigned number with the bit or the enum"
     elif decider.value is not None and _always_says_the_same(device, decider.value, continuation):
@@ -155,8 +155,8 @@ def _always_says_the_same(device: Device, value: Value, continuation: Presence) 
     return is_known and None in legal_numbers(continuation, value, device.enums)
 
 
-def _objection(device: Device, decider: Field, bit: int | None, needs_enum: bool) -> str:
-    """The reason why a field cannot decide another one, by a bit or its enum; or an empty text."""
+def _objection(device: Device, decider: Field, bits: tuple[tuple[int, int], ...]) -> str:
+    """The reason why a field cannot decide another one, by bits or its enum; or an empty text."""
     value = decider.value
     if value is None or decider.is_list:
         return "it is not a single value"
@@ -164,9 +164,10 @@ def _objection(device: Device, decider: Field, bit: int | None, needs_enum: bool
         return f"it is {value.type.name}"
     if decider.reserved or value.const is not None or decider.measures is not None or value.parameter is not None:
         return "programs do not set it"
-    if bit is not None and bit >= 8 * value.size:
-        return f"it has no bit {bit}"
-    if needs_enum and not value.enum:
+    highest = max((last for _, last in bits), default=0)
+    if highest >= 8 * value.size:
+        return f"it has no bit {highest}"
+    if not bits and not value.enum:
         return "it has no enum"
     is_swapped = orders_of(value, device.byte_order, device.word_order)[1]
     return "its word order differs from its byte order" if is_swapped else ""

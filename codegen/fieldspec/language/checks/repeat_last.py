@@ -51,7 +51,7 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
             differs = is_element or field.choice is not None
             if field is not layer.fields[-1] and (differs or field.repeat is not None):
                 yield from _followed(sizes, layer, field, id(layer) in bodies)
-            elif not is_element and not is_packed:
+            elif not is_element and not is_packed and not (field.choice and field.choice.has_texts):
                 continue
             yield from _at_the_end(layer, field, bodies.get(id(layer)), layer.name in refusing)
 
@@ -100,12 +100,6 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
         text = f"{counts[0].name} counts {field.name}, which {last.name} follows, and is not a binary `u8` or `u16`"
         help = "state the number as `u8` or `u16`, or a message of its own"
         yield finding(_CODE, counts[0].place, "type", text, help, label(last.place, "name", "follows it"))
-    has_size = field.choice is not None and sizes.element(field) is not None
-    for other in () if has_size else later_fields:
-        for key in ("span", "word_span"):
-            if key in other.place:
-                text = f"{other.name} has no place of its own, as {field.name} before it has no fixed size"
-                yield finding(_CODE, other.place, key, text, "remove it")
 
 
 def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: bool) -> Iterator[Diagnostic]:

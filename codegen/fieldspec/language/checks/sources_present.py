@@ -19,7 +19,7 @@ from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import facts
 from fieldspec.language.checks.finding import enumeration, finding, is_imported
 from fieldspec.language.diagnostics import Diagnostic
-from fieldspec.language.model.device import Device
+from fieldspec.language.model.device import Device, Manual
 from fieldspec.language.model.enums import Bit, Member, State
 from fieldspec.language.model.fact import Citation, Place
 from fieldspec.language.model.link import Part
@@ -32,6 +32,8 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 
 
 def sources_present(device: Device) -> Iterator[Diagnostic]:
+    manual = device.manual
+    is_cited, extent = bool(manual.mark or manual.url), manual.lines or manual.pages
     imported: dict[str, list[str]] = {}
     sectionless: list[tuple[str, Place]] = []
     for subject, place, sources, needs_source in cited_places(device):
@@ -40,9 +42,12 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
         elif not sources and needs_source:
             text = f"{subject} has no source"
             yield finding("sources_present", place, "source", text, "add `source: <section> L<line>`")
+        is_sectionless = False
         for citation in sources:
-            yield from _wrong(device, subject, place, citation)
-        if any(not citation.section for citation in sources):
+            if is_cited and not _is_within(citation, manual.mark, extent):
+                yield _wrong(manual, subject, place, citation)
+            is_sectionless |= not citation.section
+        if is_sectionless:
             sectionless.append((subject, place))
     if sectionless:
         yield from _without_section(device, sectionless)
@@ -140,17 +145,22 @@ def _added(device: Device) -> set[str]:
     return {entry.path for entry in device.stated_changes if entry.kind == "adds"}
 
 
-def _wrong(device: Device, subject: str, place: Place, citation: Citation) -> Iterator[Diagnostic]:
-    manual = device.manual
-    count = manual.lines or manual.pages
-    if not manual.mark and not manual.url:
-        return
+def _is_within(citation: Citation, mark: str, extent: int) -> bool:
+    """Whether a citation has the mark of the manual, and lines or pages that the manual has."""
+    for first, last in citation.lines:
+        if not 1 <= first <= last <= extent:
+            return False
+    return citation.mark == mark
+
+
+def _wrong(manual: Manual, subject: str, place: Place, citation: Citation) -> Diagnostic:
     if citation.mark != manual.mark:
         unit = manual.unit or "sections alone"
         form = f"a section and a {unit[:-1]}, as in `8.2 {manual.mark}17`" if manual.mark else "a section, as in `8.2`"
         text = f"the source of {subject} is {citation.text()}; the manual has {unit}"
-        yield finding("sources_present", place, "source", text, f"write {form}")
-    elif any(not 1 <= first <= last <= count for first, last in citation.lines):
-        extent = f"the manual's text has the lines 1 to {count}" if manual.lines else f"the manual has {count} pages"
-        text = f"the source of {subject} is {citation.text()}; {extent}"
-        yield finding("sources_present", place, "source", text, f"correct the {manual.unit}")
+        return finding("sources_present", place, "source", text, f"write {form}")
+    extent = f"the manual's text has the lines 1 to {manual.lines}"
+    if not manual.lines:
+        extent = f"the manual has {manual.pages} pages"
+    text = f"the source of {subject} is {citation.text()}; {extent}"
+    return finding("sources_present", place, "source", text, f"correct the {manual.unit}")

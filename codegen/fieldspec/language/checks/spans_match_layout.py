@@ -1,5 +1,5 @@
 """Printed positions of bytes and words, counted from 1 at the start of the data, match the preceding fields
-and the type.
+and the type. Fields after one without a fixed size have no printed position.
 
 Why: the manual prints the position of each field. If it is not the end of the preceding fields, a width is
 wrong, a field is missing, or the column means something else.
@@ -19,7 +19,7 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Place
-from fieldspec.language.model.record import Field
+from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.sizes import RecordSizes
 
 _SPAN = re.compile(r"([0-9]{1,18})(?:-([0-9]{1,18}))?")
@@ -35,12 +35,31 @@ def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
     starts = _starts(device, sizes)
     for layer in layers(device):
         layer_starts = starts[layer.name] if device.records.get(layer.name) is layer else [0]
+        yield from _without_place(layer, sizes)
         for field, offset in sizes.offsets(layer):
-            for place, key, printed in _printed(field):
+            for place, key, printed in () if _has_no_end(field) else _printed(field):
                 fitting = (_spans(field, start + offset, sizes, _UNITS[key][1]) for start in layer_starts)
                 if not any(printed in spans for spans in fitting):
                     first = _spans(field, layer_starts[0] + offset, sizes, _UNITS[key][1])
                     yield _finding(field, place, key, printed, first)
+
+
+def _has_no_end(field: Field) -> bool:
+    """Whether a field is a text whose characters vary in number."""
+    return field.value is not None and field.value.width > 0
+
+
+def _without_place(layer: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
+    """The findings of the fields of a record that have no place in all data, but a printed one."""
+    placed = [field for field, _ in sizes.offsets(layer)]
+    if not placed or placed[-1].record in sizes.endless:
+        return
+    before = placed[-1]
+    for field in layer.fields[len(placed) - _has_no_end(before) :]:
+        problem = f"no place of its own, as {before.name} before it has no fixed size"
+        for place, key, _ in _printed(field):
+            text = f"{field.name} has {'no last byte, as it varies in width' if field is before else problem}"
+            yield finding("spans_match_layout", place, key, text, "remove it")
 
 
 def _starts(device: Device, sizes: RecordSizes) -> dict[str, list[int]]:
@@ -67,7 +86,7 @@ def _spans(field: Field, offset: int, sizes: RecordSizes, unit: int) -> list[_Sp
             low, high = field.repeat.low * element, field.repeat.high * element
         elif field.choice is not None:
             low = high = element
-        ends.update(range(low, min(high, low + _MOST_ENDS) + 1, max(1, element)))
+        ends.update(range(max(1, low), min(high, low + _MOST_ENDS) + 1, max(1, element)))
     return [(offset // unit + 1, (offset + end) // unit) for end in sorted(ends) if end % unit == 0]
 
 

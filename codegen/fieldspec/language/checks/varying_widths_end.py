@@ -2,8 +2,8 @@
 ends with the message or before a constant of one byte that it cannot have. One field before a text can contain the
 text's number of bytes: an unsigned whole number of one or two bytes whose range includes every length of the text. A
 message with a value that varies in width has no list of free length, no record of varying size, no choice, and no other
-field that measures that value; the fields after the value have no printed offset. Measured texts can also be fields of
-a record within messages and other records, if the other fields of that record have a fixed size.
+field that measures that value. Measured texts can also be fields of a record within messages and other records, if the
+other fields of that record have a fixed size, and cases of a choice.
 
 Why: the constant after such a value marks its end. If the value could contain that constant, the next value would be
 read as a part of it.
@@ -20,7 +20,7 @@ from __future__ import annotations
 import string
 from collections.abc import Iterator
 
-from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.facts import layers, values
 from fieldspec.language.checks.finding import finding, label, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
@@ -28,7 +28,7 @@ from fieldspec.language.model.digits import digits_letters, has_sign
 from fieldspec.language.model.encoding import is_array, is_signed, is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import merged
-from fieldspec.language.model.record import Field, Message, Record, text_count
+from fieldspec.language.model.record import Field, Message, Record, choice_count, text_count
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.text_form import PACKED_ASCII, UTF_16
 from fieldspec.language.model.value import Value
@@ -42,6 +42,14 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
     counting = [record for name, record in device.records.items() if sizes.tells_size(name) and name not in refusing]
     parts = {id(field) for record in counting for field in record.fields}
+    cases = {
+        id(case)
+        for layer in layers(device)
+        for field in layer.fields
+        if field.choice is not None and choice_count(layer, field) is not None
+        for case in field.choice.cases
+        if is_text(case.value.encoding)
+    }
     mixed = dict(pair for record in device.records.values() for pair in _beside_texts(sizes, record))
     for fact, value in values(device):
         if not value.width:
@@ -57,8 +65,8 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
             help = f"state {fact.name} and its number of bytes in a record of its own, and here a field of that record"
             yield finding(_CODE, fact.place, "varies", text, help, label(other.place, "name", "has no fixed size"))
             continue
-        is_in_place = id(fact) in messages or id(fact) in parts
-        problem = _form(value) or _place(fact, is_in_place)
+        is_in_place = id(fact) in messages or id(fact) in parts or id(fact) in cases
+        problem = _form(value) or ("" if id(fact) in cases else _place(fact, is_in_place))
         if problem:
             yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", _cure(fact, value, is_in_place))
     for message in device.messages.values():
@@ -122,7 +130,7 @@ def _cure(fact: Fact, value: Value, is_in_place: bool) -> str:
 def _place(fact: Fact, is_in_message: bool) -> str:
     """Why a fact has one width because of where it stands; empty for a field of a message."""
     if not isinstance(fact, Field) or not is_in_message:
-        return "is neither a field of a message nor a counted text in a record"
+        return "is neither a field of a message nor a text that an earlier field counts"
     if fact.count is not None or fact.repeat is not None:
         return "is a list, whose elements have the same width"
     return "is reserved, and has the same width everywhere" if fact.reserved else ""
@@ -148,12 +156,6 @@ def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Iterator[
     if message.accesses:
         text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
         yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
-    index = body.fields.index(varying[0])
-    for field in body.fields[index:]:
-        for key in ("span", "word_span"):
-            if key in field.place:
-                text = f"{field.name} has no place of its own, as {varying[0].name} varies in width"
-                yield finding(_CODE, field.place, key, text, "remove it")
     for field in varying:
         yield from _end(body, field)
 
@@ -165,12 +167,6 @@ def _of_record(record: Record) -> Iterator[Diagnostic]:
         for field in record.fields:
             if field.measures is not None and field.measures.field == text.name:
                 yield from _of_count(record, field, text)
-    for field in record.fields[record.fields.index(texts[0]) :] if texts else ():
-        for key in ("span", "word_span"):
-            if key in field.place:
-                problem = "has no last byte" if field in texts else "has no place of its own"
-                message = f"{field.name} {problem}, as {texts[0].name} varies in width"
-                yield finding(_CODE, field.place, key, message, "remove it")
 
 
 def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:

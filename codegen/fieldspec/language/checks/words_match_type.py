@@ -1,4 +1,4 @@
-"""The printed number of words of a register or field is the width of its type.
+"""The printed number of words of a register or field is the width of its type. A field without a fixed size has none.
 
 Why: the type determines how many words are read. If the manual prints a different number, a request reads too few
 words, or words of the next register.
@@ -29,7 +29,12 @@ def words_match_type(device: Device) -> Iterator[Diagnostic]:
     for layer in layers(device):
         for field in layer.fields:
             bounds = sizes.field(field)
-            if bounds is not None and bounds[0] == bounds[1]:
+            if bounds is None or field.words is None:
+                continue
+            if bounds[0] != bounds[1]:
+                text = f"{field.name} is printed with {plural(field.words, 'word')}, but its size is not fixed"
+                yield finding("words_match_type", field.place, "words", text, "remove the words")
+            else:
                 type_name = field.value.type.name if field.value is not None else field.record
                 yield from _compare_words(field, field.words, bounds[0], type_name)
 

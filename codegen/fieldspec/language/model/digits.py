@@ -81,6 +81,12 @@ def digit_count(value: Digits) -> int:
     return value.size - has_sign(value) - (value.places > 0)
 
 
+def is_hexadecimal_count(value: Digits, size: int) -> bool:
+    """Whether two hexadecimal digits are sent for each of the `size` bytes of a number without a sign."""
+    has_pairs = value.digits in ("upper_hex", "lower_hex") and not value.width and value.size == 2 * size
+    return has_pairs and not is_signed(value.type.encoding)
+
+
 def digits_letters(value: Digits) -> bytes:
     """The characters that may be digits of a value."""
     return LETTERS[value.digits]

@@ -207,6 +207,8 @@ class Bit(Fact):
 
     def joined(self, word: int) -> int:
         """The bits in a word beside each other, as a number without a sign."""
+        if not self.pieces:
+            return (word & self.mask) >> self.first
         return sum((word >> run.first & run.most) << run.weight for run in self.runs)
 
     def placed(self, number: int) -> int:

@@ -71,6 +71,11 @@ class Choice:
         """`bits 0..3 of dif`: what decides."""
         return self.by if self.bits is None else f"bits {self.bits[0]}..{self.bits[1]} of {self.by}"
 
+    @property
+    def has_texts(self) -> bool:
+        """Whether one of the types is a text that varies in length, whose bytes another field counts."""
+        return any(case.value.width for case in self.cases)
+
     def enum_of(self, selector: Field | None, words: Mapping[str, Flags]) -> str:
         """The name of the enum whose members decide; empty where the field that decides has none."""
         value = selector.value if selector is not None else None
@@ -83,24 +88,35 @@ class Choice:
 
 @dataclass(frozen=True, slots=True)
 class Presence:
-    """A field is sent if the field `by` before it has a `bit` with the value `value`, or a member in `when`.
-
-    `bit` is None where members decide. For the next element of a list, `by` is a field of each element, or empty where
-    elements have no fields.
+    """A field is sent if any of some `bits` of the field `by` before it is 1 (all are 0 where `value` is 0), or if that
+    field has a member in `when`. There are no `bits` where members decide. For the next element of a list, `by` is a
+    field of each element, or empty where elements have no fields.
     """
 
     by: str
-    bit: int | None = None
+    bits: tuple[tuple[int, int], ...] = ()
     value: int = 1
     when: tuple[str, ...] = ()
 
     @property
+    def subject(self) -> str:
+        """`bit 3 of flags`, or `kind`: what says whether the field is sent."""
+        name = self.by or "it"
+        if not self.bits:
+            return name
+        places = ", ".join(str(low) if low == high else f"{low}..{high}" for low, high in self.bits)
+        noun = "bit" if places.isdecimal() else "one of bits" if self.value else "each of bits"
+        return f"{noun} {places} of {name}"
+
+    @property
+    def state(self) -> str:
+        """`1`, or `place or speed`: what it says if the field is sent."""
+        return str(self.value) if self.bits else " or ".join(self.when)
+
+    @property
     def condition(self) -> str:
         """`bit 3 of flags is 1`, or `kind is place or speed`: when the field is sent."""
-        name = self.by or "it"
-        if self.bit is not None:
-            return f"bit {self.bit} of {name} is {self.value}"
-        return f"{name} is {' or '.join(self.when)}"
+        return f"{self.subject} is {self.state}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -207,6 +223,13 @@ def bit_count(record: Record, name: str) -> tuple[Field, Measure] | None:
     """The field that has the size of another one in some of its bits, and what they contain; None if there is none."""
     pairs = ((other, other.bit_measure) for other in record.fields)
     return next(((other, own) for other, own in pairs if own is not None and own.field == name), None)
+
+
+def choice_count(record: Record, field: Field) -> Field | None:
+    """The field before a single one with several types that has its number of bytes, None if there is none."""
+    count = list_count(record, field) if field.choice is not None and not field.is_list else None
+    is_right = count is not None and count.measures is not None and count.measures.of == "bytes"
+    return count if is_right and count is not None and count.value is not None and count.value.ranges is None else None
 
 
 def text_count(record: Record, field: Field) -> Field | None:

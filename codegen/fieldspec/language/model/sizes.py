@@ -40,7 +40,8 @@ class RecordSizes:
     def elements(self, field: Field) -> tuple[int, ...]:
         """The sizes in bytes that the elements of a field may have, the least first; none where they are not fixed."""
         if field.choice is not None:
-            return tuple(sorted({case.value.size for case in field.choice.cases}))
+            values = [case.value for case in field.choice.cases]
+            return tuple(sorted({value.least_size for value in values} | {value.size for value in values}))
         if field.value is not None:
             return () if field.value.width or field.value.packed_bits else (field.value.size,)
         bounds = self._bounds.get(field.record)

@@ -244,6 +244,11 @@ class Value:
         return 1 if self.digits else 0
 
     @property
+    def least_size(self) -> int:
+        """The fewest bytes of the value."""
+        return self.least_width if self.width else self.size
+
+    @property
     def has_order(self) -> bool:
         """Whether the order of its bytes matters."""
         if self.text_form is not None and (self.text_form.encoding == UTF_16 or self.text_form.is_turned):

@@ -27,9 +27,8 @@ _HELP = (
 def syntax_help(problem: str, text: str, offset: int) -> str:
     """The help for a message of the parser about a place of a text; empty for unknown messages."""
     if "cannot start any token" in problem:
-        word = re.match(r"[^\s,}\]]*", text[offset:])
-        quoted = word[0] if word is not None else text[offset : offset + 1]
-        return f'a text cannot begin with `{text[offset : offset + 1]}`: quote it, as in `"{quoted}"`'
+        word = re.split(r"[\s,}\]]", text[offset:], maxsplit=1)[0]
+        return f'a text cannot begin with `{text[offset : offset + 1]}`: quote it, as in `"{word}"`'
     if "mapping values are not allowed" in problem:
         line = text[text.rfind("\n", 0, offset) + 1 : offset]
         if ": " in line:

@@ -239,6 +239,11 @@ def _finding(error: Any, node: Node, part: Schema) -> Diagnostic:
         return Diagnostic("wrong_size", f"{subject} has too few or too many entries", _head(node), help=description)
     if keyword in ("oneOf", "anyOf"):
         return Diagnostic("wrong_form", f"{subject} has other keys than it can have", _head(node), help=_choices(part))
+    if keyword == "uniqueItems" and isinstance(node, Sequence):
+        texts = [item.text if isinstance(item, Scalar) else "" for item in node.items]
+        number = next(number for number, own in enumerate(texts) if own in texts[:number])
+        message = f"{subject} lists {quoted(texts[number])} twice"
+        return Diagnostic("wrong_form", message, node.items[number].span, help="remove one of them")
     return Diagnostic("wrong_form", error.message, _head(node), help=description)
 
 

@@ -113,6 +113,10 @@ Declaration: TypeAlias = Comment | Blank | Directive | Define | Typedef | Struct
 BLANK = Blank()
 
 
+_SEPARATORS = {Comment, Blank}
+_CONSTANTS = {Define, Enumeration, Typedef}
+
+
 def parted(block: Sequence[Declaration]) -> tuple[list[Declaration], list[Declaration]]:
     """The constants of a block with their comments, and the rest of it.
 
@@ -121,14 +125,14 @@ def parted(block: Sequence[Declaration]) -> tuple[list[Declaration], list[Declar
     constants: list[Declaration] = []
     rest: list[Declaration] = []
     waiting: list[Declaration] = []
-    is_whole = any(isinstance(declaration, Directive) for declaration in block)
+    is_whole = Directive in map(type, block)
     for declaration in block:
-        if isinstance(declaration, Comment | Blank):
+        kind = type(declaration)
+        if kind in _SEPARATORS:
             waiting.append(declaration)
             continue
-        is_constant = isinstance(declaration, Define | Enumeration | Typedef) and not is_whole
-        part = constants if is_constant else rest
-        if isinstance(declaration, Function) and part and not waiting:
+        part = constants if kind in _CONSTANTS and not is_whole else rest
+        if kind is Function and part and not waiting:
             waiting.append(BLANK)
         part += waiting if part or not waiting or waiting[0] != BLANK else waiting[1:]
         part.append(declaration)

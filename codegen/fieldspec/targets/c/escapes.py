@@ -6,10 +6,12 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.language.model.escape import CAN_REMOTE, Escape
 from fieldspec.targets.c.declarations import Source
-from fieldspec.targets.c.expressions import Call, Expression
+from fieldspec.targets.c.expressions import Call, Expression, address_of
+from fieldspec.targets.c.fields import return_error
 from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.runtime_files import copy_runtime
+from fieldspec.targets.c.statements import Body, call
 
 _FORMS = "escape_forms.h"
 
@@ -27,18 +29,22 @@ def _functions(naming: Naming, link: LinkLayout, escape: Escape) -> Source:
         return f"0x{number:02X}u"
 
     if escape.method == "can":
-        fields = ((size, int(order == "little"), first, width) for size, order, first, width in escape.fields)
-        rows = (", ".join(f"{number}u" for number in field) for field in fields)
+        has_remote = escape.remote is not None
+        fields = [[size, int(order == "little"), first, width] for size, order, first, width in escape.fields]
+        for row, field in enumerate(fields if has_remote else ()):
+            field.append(CAN_REMOTE >> 24 if row == escape.remote else 0)
+        own_bits = (1 << escape.bits) - 1 | (CAN_REMOTE if has_remote else 0)
         can_words = {
             "ESCAPE": f"escape_{link.name}",
             "UNESCAPE": f"unescape_{link.name}",
             "ROWS": f"{len(escape.fields)}u",
-            "FIELDS": "\n".join(f"        {{{row}}}," for row in rows),
+            "COLUMNS": str(len(fields[0])),
+            "FIELDS": "\n".join(f"        {{{', '.join(f'{number}u' for number in field)}}}," for field in fields),
             "FLAGS": f"0x{escape.flags:08X}u",
-            "MASKED": f"0x{0xFFFFFFFF & ~((1 << escape.bits) - 1):08X}u",
+            "MASKED": f"0x{0xFFFFFFFF & ~own_bits:08X}u",
             "SIZE": f"{escape.fields_size}u",
-            "REMOTE": f"0x{0 if escape.remote is None else CAN_REMOTE:08X}u",
-            "REMOTE_ROW": f"{escape.remote or 0}u",
+            "REMOTE": f"0x{CAN_REMOTE:08X}u" if has_remote else "",
+            "CONTENT": "(remote != 0u ? 0u : dlc)" if has_remote else "dlc",
         }
         return copy_runtime(naming, _FORMS, escape.method, can_words)
     special = dict.fromkeys([byte for byte, _, _ in escape.pairs] + [first for _, first, _ in escape.pairs])
@@ -57,9 +63,17 @@ def _functions(naming: Naming, link: LinkLayout, escape: Escape) -> Source:
     return copy_runtime(naming, _FORMS, escape.method, words)
 
 
-def escape_call(naming: Naming, link: LinkLayout, frame: FrameLayout, *arguments: Expression) -> Call:
-    """`escape_slip(out, &total, 0u, 0u, capacity - 1u)`: `arguments` are the bytes and their length, then the room."""
-    function = "escape" if len(arguments) > 2 else "unescape"
-    first, length, *room = arguments
+def keeps_size(frame: FrameLayout) -> bool:
+    """Whether escaping keeps the number of bytes."""
+    return frame.escape is None or frame.escape.method == "add"
+
+
+def escape_bytes(
+    naming: Naming, link: LinkLayout, frame: FrameLayout, data: Expression, length: Expression, *room: Expression
+) -> Body:
+    """`status = escape_slip(out, &total, 0u, 0u, capacity - 1u);`; without the room, the call of `unescape_slip`."""
+    function = naming.own(f"{'escape' if room else 'unescape'}_{link.name}")
     bounds = unsigned(frame.escape_start), unsigned(-(frame.escape_stop or 0))
-    return Call(naming.own(f"{function}_{link.name}"), (first, length, *bounds, *room))
+    if keeps_size(frame):
+        return (call(function, data, length, *bounds),)
+    return return_error(naming, Call(function, (data, address_of(length), *bounds, *room)))

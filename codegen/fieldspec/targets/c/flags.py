@@ -44,7 +44,7 @@ def named_bits(word: Flags) -> list[tuple[str, Bit]]:
     """The bits that have a meaning, by names that differ: bits of one name under several conditions are numbered."""
     bits_by_name: dict[str, Bit] = {}
     for bit in word.bits:
-        if bit.reserved or any(other.mask == bit.mask and other.name == bit.name for other in bits_by_name.values()):
+        if bit.reserved or any(other.name == bit.name and other.mask == bit.mask for other in bits_by_name.values()):
             continue
         name, number = bit.name, 1
         while name in bits_by_name:

@@ -10,7 +10,7 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.targets.c.checksums import compute_checksum, is_wrong, store_checksum
 from fieldspec.targets.c.declarations import BLANK, Comment, Declaration, Function, Struct, comment, describe_fact
 from fieldspec.targets.c.delimiters import declare_unwrap, is_wrapped, unwrap_function, wrap_frame
-from fieldspec.targets.c.escapes import escape_call
+from fieldspec.targets.c.escapes import escape_bytes, keeps_size
 from fieldspec.targets.c.exceptions import mark_in_data, read_mark
 from fieldspec.targets.c.expressions import (
     CAPACITY,
@@ -155,8 +155,9 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
         body += refuse(naming, less(LENGTH, unsigned(parts_size)), "err_incomplete")
     if frame.escape is not None:
         body += _check_frame(naming, frame, False)
-        body += return_error(naming, escape_call(naming, link, frame, Identifier("buffer"), address_of(LENGTH)))
-        body += refuse(naming, less(LENGTH, unsigned(parts_size)), "err_incomplete") if parts_size else ()
+        body += escape_bytes(naming, link, frame, Identifier("buffer"), LENGTH)
+    if parts_size and not keeps_size(frame):
+        body += refuse(naming, less(LENGTH, unsigned(parts_size)), "err_incomplete")
     body += _check_frame(naming, frame, True)
     for part in header_parts(frame):
         number = load(naming, part_value(part), part_pointer(IN, part, LENGTH))
@@ -253,23 +254,22 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     delimiters = len(frame.further) + len(frame.start) + len(frame.end)
     parts_size = frame.header_size + frame.trailer_size
     body: list[Statement] = [
-        Variable(SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, parts_size), storage="" if frame.escape else "const"),
+        Variable(
+            SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, parts_size), storage="const" if keeps_size(frame) else ""
+        ),
     ]
-    if frame.escape is not None:
+    if not keeps_size(frame):
         body.append(Variable(status_type(naming), "status"))
     if is_wrapped(link):
         body.append(Variable(SIZE_TYPE, "at"))
     body += _check_capacity(naming, width, parts_size, delimiters)
     sent_lengths = [part for part in frame.lengths if _is_sent(frame, part)]
-    for part in frame.parts:
-        if part.role != "checksum" and part not in sent_lengths:
-            body += write_part(naming, layout, link, frame, part)
+    early = [part for part in frame.parts if part.role != "checksum" and part not in sent_lengths]
+    body += _write_parts(naming, layout, link, frame, early)
     body += _store_checksums(naming, [part for part in frame.checksums if not _is_sent(frame, part)])
     if frame.escape is not None:
-        room = add_size(CAPACITY, -delimiters)
-        body += return_error(naming, escape_call(naming, link, frame, OUT, address_of(TOTAL), room))
-        for part in sent_lengths:
-            body += write_part(naming, layout, link, frame, part)
+        body += escape_bytes(naming, link, frame, OUT, TOTAL, add_size(CAPACITY, -delimiters))
+        body += _write_parts(naming, layout, link, frame, sent_lengths)
         body += _store_checksums(naming, [part for part in frame.checksums if _is_sent(frame, part)])
     if is_wrapped(link):
         body += wrap_frame(naming, link, direction)
@@ -284,6 +284,16 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
         ),
         Function(status_type(naming), name, tuple(parameters), tuple(body)),
     ]
+
+
+def _write_parts(
+    naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: FrameLayout, parts: list[PartLayout]
+) -> Body:
+    """Checks parts other than checksums and writes them; where a length is written twice, it is checked once."""
+    body: Body = ()
+    for part in parts:
+        body += tuple(statement for statement in write_part(naming, layout, link, frame, part) if statement not in body)
+    return body
 
 
 def _store_checksums(naming: Naming, checksums: list[PartLayout]) -> Iterator[Statement]:

@@ -6,7 +6,7 @@ from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.list_places import inner_lists_of
 from fieldspec.codec.layout.record import CaseLayout, RecordLayout
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, Source, comment
-from fieldspec.targets.c.expressions import INPUT_BYTES, SIZE_TYPE, Identifier
+from fieldspec.targets.c.expressions import INPUT_BYTES, SIZE_TYPE, Identifier, Operation
 from fieldspec.targets.c.fields import deciding, decoded_selector, select, words_around_images
 from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
@@ -125,10 +125,14 @@ def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:
     for field in record.fields:
         if field.selector is None:
             continue
-        cases: dict[int, list[CaseLayout]] = {}
+        cases: dict[tuple[int, bool], list[CaseLayout]] = {}
         for case in field.cases:
-            cases.setdefault(case.value.size, []).append(case)
-        branches = [(own, (Return(unsigned(size)),)) for size, own in cases.items()]
+            cases.setdefault((case.value.size, case.value.width > 0), []).append(case)
+        text_of = Identifier(naming.own_macro("text_of"))
+        branches = [
+            (own, (Return(Operation("+", (text_of, unsigned(size))) if is_text else unsigned(size)),))
+            for (size, is_text), own in cases.items()
+        ]
         number = deciding(field, decoded_selector(naming, field.selector))
         unknown = (Return(Identifier("SIZE_MAX")),)
         text = f"The bytes of {field.name}, which {field.selector.name} decides; SIZE_MAX where that decides nothing."

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import (
@@ -37,8 +38,16 @@ class Machine:
     is_cast: bool = False
 
 
+_MACHINES: ByIdentity[Encoding, Machine] = ByIdentity(limit=1024)
+"""The types of C of the newest encodings, which values of one type share."""
+
+
 def machine(encoding: Encoding) -> Machine:
     """The type of C that has an element of a value; of a text, a character, and of bytes, one of them."""
+    return _MACHINES.get_or_compute(encoding, _machine)
+
+
+def _machine(encoding: Encoding) -> Machine:
     match encoding:
         case Whole():
             return _whole(encoding)

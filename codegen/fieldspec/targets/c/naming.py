@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Literal, TypeAlias
 
@@ -60,7 +60,7 @@ class Naming:
     def __init__(self, device: str) -> None:
         self.device = Name.of(device)
         self._taken = {word for name in _TAKEN for word in (name, name.upper())}
-        self._given: dict[Hashable, str] = {}
+        self._given: dict[str, str] = {}
         self._stems: dict[tuple[Noun, tuple[str, ...]], Name] = {}
         self._statuses: dict[str, Identifier] = {}
         self._status_variable: Local | None = None
@@ -124,7 +124,7 @@ class Naming:
         return self._status_variable
 
     def _name(self, upper: bool, noun: Noun, parts: tuple[str, ...]) -> str:
-        key = (upper, noun, parts)
+        key = "\0".join(("macro" if upper else "", noun, *parts))
         name = self._given.get(key)
         is_new = name is None
         if name is None:

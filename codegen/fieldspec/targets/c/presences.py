@@ -54,6 +54,8 @@ def bits_of(presence: PresenceLayout, number: Expression) -> Expression:
 def is_present(presence: PresenceLayout, number: Expression) -> Expression:
     """`(load_u8(in + 0) & 8u) == 8u`: whether a number says that a field is sent."""
     bits = Group(Operation("&", (number, unsigned(presence.mask))))
+    if presence.is_any:
+        return different(bits, ZERO)
     return any_of([equal(bits, unsigned(own)) for own in presence.numbers])
 
 

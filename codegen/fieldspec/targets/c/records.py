@@ -314,7 +314,7 @@ def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
         return (*body, *counts_in_image(naming, record))
     # Where the list begins with the record, `- 0u` stays, so that all records read alike.
     rest = Operation("-", (LENGTH, unsigned(last.offset)))
-    if last.splits_record or last.size > 1:
+    if last.splits_record or (last.size > 1 and low < high):
         body += refuse(naming, different(Operation("%", (rest, size)), ZERO), "err_wrong_length")
     count = PointerMember(OUT, count_member(record, last))
     return (*body, *counts_in_image(naming, record), Assignment(count, Operation("/", (rest, size))))

@@ -33,6 +33,7 @@ from fieldspec.targets.templates import text
 _FOLDER = "targets/c/runtime"
 _PART = re.compile(r"^/\* ---- (\w+) ---- \*/\n\n", re.MULTILINE)
 _PREFIXED = re.compile(r"\b(?:device|DEVICE)_(\w+)")
+_CONDITIONAL = re.compile(r"^(.*?) +/\* if (\w+) \*/\n", re.MULTILINE)
 _STATUS = re.compile(r"^    DEVICE_(\w+) = ", re.MULTILINE)
 
 
@@ -47,10 +48,14 @@ def _copied(naming: Naming, file: str, part: str, words: Mapping[str, str] | Non
 
 
 def runtime_text(file: str, part: str = "", words: Mapping[str, str] | None = None) -> str:
-    """A file, or a part of it, with the names of no device. `words` replace the words of a form."""
+    """A file, or a part of it, with the names of no device. `words` replace the words of a form.
+
+    A line that ends with `/* if WORD */` is left out where this word is empty.
+    """
     content = _parts(file)[part] if part else text(f"{_FOLDER}/{file}")
     if not words:
         return content
+    content = _CONDITIONAL.sub(lambda m: f"{m[1]}\n" if words[m[2]] else "", content)
     return re.sub(r"\b(device_)?(" + "|".join(words) + r")\b", lambda m: (m[1] or "") + words[m[2]], content)
 
 

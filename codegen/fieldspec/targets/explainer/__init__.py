@@ -15,6 +15,7 @@ RUNTIME = (
     "python",
     "interpreter",
     "frames",
+    "links",
     "layouts",
     "parameter_sets",
     "device",

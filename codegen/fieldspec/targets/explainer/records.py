@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from fieldspec.codec.explain.errata import errata_of_message
-from fieldspec.codec.layout.inner_lists import inner_lists_data
+from fieldspec.codec.layout.inner_list_data import inner_lists_data
 from fieldspec.codec.layout.list_places import inner_lists_of
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.packing import packing_data
 from fieldspec.codec.layout.presence import presence_data
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.codec.layout.widths import span_data
+from fieldspec.codec.layout.widths import Span, span_data
 from fieldspec.codec.program.lowering import field_program
 from fieldspec.codec.program.operations import Load, LoadVarying
 from fieldspec.language.model.address_space import WORD
@@ -48,7 +48,13 @@ def _sent(record: RecordLayout) -> list[Data]:
 
 def _forms(device: Device, record: RecordLayout, field: FieldLayout) -> list[Data]:
     """The forms of a field with the numbers that decide them."""
-    return [[sorted(case.numbers), _field(device, record, field.forms[min(case.numbers)])] for case in field.cases]
+    forms = [(case, field.forms[min(case.numbers)]) for case in field.cases]
+    return [[sorted(case.numbers), {**_field(device, record, form), **_span(form)}] for case, form in forms]
+
+
+def _span(form: FieldLayout) -> dict[str, Data]:
+    """How a form varies in width, which no number of its own decides; nothing for others."""
+    return {"span": span_data(Span(form.name, form.size, form.value, None))} if form.varies else {}
 
 
 def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str, Data]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from fieldspec.codec.layout.inner_lists import inner_lists_data
+from fieldspec.codec.layout.inner_list_data import inner_lists_data
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.members import members_of
@@ -66,13 +66,19 @@ def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
         size = f"elementsLength({elements}, {names.records[field.record.record.name]})"
         sizes.append(f"({items} && {size})" if repeat is not None else size)
     last = record.inner_lists.last
+    size = " + ".join([str(record.inner_lists.fixed), *sizes])
+    if any(form.varies for field in record.fields for form in field.forms.values()):
+        size = f"sent{name}(value).length"
     return [
-        f"function size{name}(value) {{",
-        f"  return {' + '.join([str(record.inner_lists.fixed), *sizes])};",
-        "}",
-        f"function write{name}(value, b, o) {{",
+        f"function sent{name}(value) {{",
         f"  const image = new Uint8Array({last.room + last.most});",
         f"  writeImage{name}(value, image, 0);",
-        f"  b.set(sentOfImage(inner{name}, image, {lengths[-1]}), o);",
+        f"  return sentOfImage(inner{name}, image, {lengths[-1]});",
+        "}",
+        f"function size{name}(value) {{",
+        f"  return {size};",
+        "}",
+        f"function write{name}(value, b, o) {{",
+        f"  b.set(sent{name}(value), o);",
         "}",
     ]

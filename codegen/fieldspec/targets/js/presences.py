@@ -19,6 +19,8 @@ def bits_of(presence: PresenceLayout, number: str) -> str:
 def is_present(presence: PresenceLayout, number: str) -> str:
     """The condition that a number, an expression, says that a field is sent: `((b[o] & 8) >>> 0) === 8`"""
     bits = f"(({number} & {presence.mask}) >>> 0)"
+    if presence.is_any:
+        return f"{bits} > 0"
     if len(presence.numbers) == 1:
         return f"{bits} === {presence.numbers[0]}"
     return f"[{', '.join(map(str, presence.numbers))}].includes({bits})"

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.codec.layout.continuation import Continuation
-from fieldspec.codec.layout.inner_lists import Decision, InnerList, InnerLists
+from fieldspec.codec.layout.decision import Decision
+from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.packing import Packing
 from fieldspec.codec.layout.presence import PresenceLayout
 from fieldspec.targets.python.slots import Slots

@@ -29,6 +29,8 @@ def fitting(field: Slots, number: str, elements: str, operator: str = "==") -> s
         plus = f" {'+' if presence.plus > 0 else '-'} {abs(presence.plus)}" if presence.plus else ""
         bits = f"({number} & {presence.mask}){f' >> {presence.shift}' if presence.shift else ''}"
         return f"{bits} {operator} len({elements}){unit}{plus}"
+    if presence.is_any:
+        return f"(({number} & {presence.mask}) > 0) {operator} bool({elements})"
     test = f"== {numbers[0]}" if len(numbers) == 1 else f"in {tuple_of(numbers)}"
     return f"({number} & {presence.mask} {test}) {operator} bool({elements})"
 

@@ -375,6 +375,8 @@ def interval_text(interval: tuple[int, int]) -> str:
 
 
 def tuple_of(items: object) -> str:
-    """A tuple of expressions."""
+    """A tuple of expressions; a range of numbers as it is."""
+    if isinstance(items, range):
+        return repr(items)
     texts = [str(item) for item in items]  # type: ignore[attr-defined]
     return f"({texts[0]},)" if len(texts) == 1 else f"({', '.join(texts)})"

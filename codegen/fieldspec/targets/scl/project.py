@@ -74,7 +74,7 @@ class Project:
     def code_type(self) -> Elementary:
         """The type of codes in tables of texts."""
         codes = [text.code for table in self.declared.texts for text in table.texts]
-        return narrowest(min(0, *codes), max(codes))
+        return narrowest(min(codes), max(codes))
 
     @property
     def text_length(self) -> int:

@@ -11,6 +11,7 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.read_plan import ReadBlock, read_plan
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLayout
 from fieldspec.codec.layout.values import Raw
+from fieldspec.codec.layout.word_digits import has_word_digits
 from fieldspec.codec.reference.frames import FrameCodec
 from fieldspec.codec.reference.records import CodecError, decoded, decoded_value, encoded
 from fieldspec.codec.reference.structs import value_construct
@@ -89,8 +90,9 @@ def _idle_read(layout: DeviceLayout, link: LinkLayout, block: ReadBlock) -> Idle
 def _answer(access: RegisterAccess, record: RecordLayout, words: bytes) -> dict[str, Raw]:
     field = record.named(access.values)
     assert field is not None
-    order = "big" if field.order == "big" else "little"
-    size = field.size
+    assert field.value is not None
+    order = ("little" if field.value.is_low_first else "big") if has_word_digits(field) else field.order
+    size = field.value.type.size
     numbers: list[Raw] = [int.from_bytes(words[offset : offset + size], order) for offset in range(0, len(words), size)]  # type: ignore[arg-type]
     return {field.name: numbers if field.is_list else numbers[0]}
 

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from fieldspec.codec.layout.inner_lists import InnerList
+from fieldspec.codec.layout.presence import PresenceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import WidthError, extents, image_of, image_with_counts
 from fieldspec.foundation.classes import dataclass
@@ -196,8 +197,9 @@ class BodyReader:
                 else:
                     rows, index = np.flatnonzero(field.offset + field.size * field.count <= size), None
                     blame(verdict, field.offset + field.size * field.count > size, INCOMPLETE)
-                assert slot.layout.value is not None
-                judged = slot.layout.value.const is not None or bool(slot.layout.value.enum)
+                value = slot.layout.value
+                assert value is not None
+                judged = value.const is not None or bool(value.enum or value.digits)
                 if len(rows) and (self.emits or judged):
                     elements += self._slot(slot, buffer, offsets, rows, index, verdict)
                 self._measure(slot, buffer, offsets, size, counts, verdict)
@@ -298,7 +300,7 @@ class BodyReader:
             return
         measure = slot.layout.field.measures if slot.layout is slot.field else None
         other = self.record.named(measure.field) if measure else None
-        if measure is None or other is None or other.cases or slot.path in self.counts_of_texts:
+        if measure is None or other is None or other.splits_record or slot.path in self.counts_of_texts:
             return
         room = self.record.room_of(other)
         if slot.layout.counts_sent or (room is not None and room.count == slot.path):
@@ -331,7 +333,7 @@ class BodyReader:
             if presence is not None and presence.by == slot.field.name:
                 bits = _number(slot.layout, buffer, offsets) & presence.mask
                 items = counts[other.name]
-                wrong = np.isin(bits, presence.numbers) != (items > 0)
+                wrong = _is_met(presence, bits) != (items > 0)
                 if other.has_count_in_bits:
                     wrong = bits >> presence.shift != items * presence.unit + presence.plus
                 is_known = (items >= 0) & (slot.offset + slot.layout.size <= size) & (other.offset <= size)
@@ -345,7 +347,7 @@ def _has_element(buffer: Bytes, offsets: Numbers, inner: InnerList, number: int)
         units = number_at(buffer, offsets + inner.count_at, inner.count_size, inner.count_order)
         units = units if inner.presence is None else units & inner.presence.mask
         if inner.presence is not None and inner.presence.numbers:
-            is_there = np.isin(units, inner.presence.numbers)
+            is_there = _is_met(inner.presence, units)
         else:
             units = units if inner.presence is None else units >> inner.presence.shift
             is_there = (units - inner.plus) * inner.unit // inner.element > number
@@ -354,8 +356,13 @@ def _has_element(buffer: Bytes, offsets: Numbers, inner: InnerList, number: int)
         assert continuation is not None
         place = offsets + inner.room + index * inner.element + continuation.offset
         numbers = number_at(buffer, place, continuation.size, continuation.order)
-        is_there &= np.isin(numbers & continuation.presence.mask, continuation.presence.numbers)
+        is_there &= _is_met(continuation.presence, numbers & continuation.presence.mask)
     return is_there
+
+
+def _is_met(presence: PresenceLayout, bits: Numbers) -> Mask:
+    """Whether the deciding bits of numbers say that something is sent."""
+    return bits > 0 if presence.is_any else np.isin(bits, presence.number_list)
 
 
 def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:

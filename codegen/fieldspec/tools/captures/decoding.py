@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.address_space import BIT
 from fieldspec.tools.captures.columns import Numbers, Texts, gathered, numbers, runs
@@ -266,15 +267,17 @@ def _values(
     rows = decoded.rows
     messages = list(link.link.messages.values())
     for operation in ("read", "write"):
-        by_space: dict[str, list[int]] = {}
+        by_space: dict[str, dict[int, FieldLayout]] = {}
         for place, message in enumerate(messages):
             access = message.message.single_access
-            if access is not None and access.operation == operation:
-                by_space.setdefault(device.layout.device.space_name(access.space), []).append(place)
-        for space, places in by_space.items():
+            record = message.request if operation == "write" else message.response
+            field = record.named(access.values) if access is not None and access.operation == operation else None
+            if access is not None and field is not None:
+                by_space.setdefault(device.layout.device.space_name(access.space), {})[place] = field
+        for space, fields_by_message in by_space.items():
             if space not in device.maps:
                 continue
-            buffer, accesses = decoded.accesses(places, operation == "write")
+            buffer, accesses = decoded.accesses(fields_by_message, operation == "write")
             if not len(accesses.frame):
                 continue
             registers = device.maps[space].rows(buffer, accesses)

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.codec.layout.repeated_parts import repeated_parts
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.captures.columns import Mask, Numbers, number_at, numbers, runs
 from fieldspec.tools.captures.cutting import Cutter, Piece
 from fieldspec.tools.captures.frame_reading import FrameReader, ReadFrames
 from fieldspec.tools.captures.pairing import NO_EXCHANGES, NONE, Exchanges, joined, paired, still_open
-from fieldspec.tools.captures.part_numbers import part_numbers
+from fieldspec.tools.captures.part_numbers import field_numbers, part_numbers, with_word_bytes
 from fieldspec.tools.captures.payloads import DATAGRAM, REQUEST, RESPONSE, STREAM, UNKNOWN, Payloads, payloads_of
 from fieldspec.tools.captures.register_columns import Accesses
 from fieldspec.tools.captures.verdicts import MISMATCH, NO_FRAME, NO_REQUEST, OK
@@ -238,9 +240,7 @@ class LinkDecoder:
                     field = record.named(field_name) if field_name else None
                     if field is not None:
                         offsets = rows.body[own] + field.offset
-                        column[own] = number_at(
-                            rows.buffer(side), offsets, field.size, field.order, swapped=field.swapped
-                        )
+                        column[own] = field_numbers(field, rows.buffer(side), offsets)
                 if not access.count:
                     values = record.named(access.values)
                     holder = message.request if access.operation == "write" else message.response
@@ -283,7 +283,7 @@ class LinkDecoder:
                 if access.set is not None:  # another number than those of 1 and 0 says nothing about the bit
                     number = number_at(rows.buffer(side), rows.data[own], field.size, field.order)
                     rows.data[own[(number != access.set) & (number != access.clear)]] = NONE
-                    rows.set_bit[own] = access.set
+                    rows.set_bit[own] = number == access.set
 
     @staticmethod
     def _compare(rows: _Rows, own: Numbers, requested: Numbers) -> None:
@@ -336,19 +336,21 @@ class LinkFrames:
     direction: Numbers
     rows: _Rows
 
-    def accesses(self, messages: list[int], is_write: bool) -> tuple[npt.NDArray[np.uint8], Accesses]:
-        """The registers that frames of some messages carry, and the buffer with their bytes."""
+    def accesses(self, messages: Mapping[int, FieldLayout], is_write: bool) -> tuple[npt.NDArray[np.uint8], Accesses]:
+        """The registers that frames of some messages carry, and the buffer with their bytes. `messages` are the fields
+        with the words, by the place of the message.
+        """
         rows = self.rows
         direction = REQUEST if is_write else RESPONSE
-        own = np.flatnonzero((rows.verdict == OK) & (rows.data != NONE) & np.isin(rows.message, messages))
+        own = np.flatnonzero((rows.verdict == OK) & (rows.data != NONE) & np.isin(rows.message, list(messages)))
         own = own[self.direction[own] == direction]
         buffer, data, available = rows.buffer(direction), rows.data[own], rows.data_size[own]
         single = rows.set_bit[own] != NONE
         if single.any():
-            number = number_at(buffer, data, 2)
-            bits = np.where(number == rows.set_bit[own], 1, 0).astype(np.uint8)
+            bits = (rows.set_bit[own] == 1).astype(np.uint8)
             data = np.where(single, len(buffer) + np.arange(len(own)), data)
             buffer, available = np.concatenate([buffer, bits]), np.where(single, 1, available)
+        buffer = with_word_bytes(messages, rows.message[own], buffer, data, available)
         writes = np.full(len(own), is_write)
         return buffer, Accesses(own, rows.address[own], rows.count[own], data, available, writes)
 

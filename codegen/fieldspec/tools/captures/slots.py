@@ -77,10 +77,12 @@ def _slots_of_cases(
 ) -> Iterator[Slot]:
     """A slot for each type of a field that another one decides; that one has its place in the image."""
     assert field.selector is not None
+    own = next(inner for inner in inner_lists_of(record, is_element=True).lists if inner.name == field.name)
     for case in field.cases:
         form = field.forms[min(case.numbers)]
         numbers = ((start, field, case.numbers),)
-        yield Slot(path, start + form.offset, form, outer or field, numbers=numbers)
+        text = replace(own, plus=own.sent_plus or 0) if form.varies else None
+        yield Slot(path, start + form.offset, form, outer or field, text=text, numbers=numbers)
 
 
 def with_deep_rooms(record: RecordLayout) -> RecordLayout:

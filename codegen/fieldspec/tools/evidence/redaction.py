@@ -15,6 +15,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.list_places import inner_lists_of
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
 from fieldspec.codec.layout.widths import Extent, Span, WidthError, data_of, image_of
+from fieldspec.codec.layout.word_digits import field_bytes, word_bytes
 from fieldspec.codec.reference.frames import Decoded, codec
 from fieldspec.codec.reference.parameters import stated_bytes
 from fieldspec.codec.reference.structs import value_construct
@@ -222,7 +223,8 @@ class Redaction:
             known = bits[: count if isinstance(count, int) else len(bits)]
             clean = [bit if (space, start + offset) in self.occupants else 0 for offset, bit in enumerate(known)]
             return bytes(packed_bits(clean)).ljust(len(data), b"\0")[: len(data)]
-        return self.words(space, start, data, access.operation)
+        content = self.words(space, start, word_bytes(field, data), access.operation)
+        return field_bytes(field, content).ljust(len(data), b"0")
 
     def words(self, space: str, start: int, data: bytes, operation: str = "read") -> bytes:
         """The bytes of the words, or of the bytes, from an address on."""

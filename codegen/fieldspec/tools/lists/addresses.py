@@ -33,6 +33,7 @@ _SEVERAL = re.compile(r"\s*(?:[,;&+]|\band\b|\bund\b)\s*", re.IGNORECASE)
 _BREAK = re.compile(r"\s*<br\s*/?>\s*", re.IGNORECASE)
 _NAMED = re.compile(r"(?:reg(?:ister)?s?|addr?(?:ess)?|%?([a-z]{1,3}))\.?\s?(?=[0-9])", re.IGNORECASE)
 _OF_BYTES = re.compile(r"%[a-z](?:b|d|l|w?x)(?=[0-9])", re.IGNORECASE)
+_BIT_OF_BYTE = re.compile(r"%[iqm][0-9]+\.[0-7]", re.IGNORECASE)
 """Places in the memory of a controller that are not counted in words, and not alike by all controllers."""
 
 _HALF = re.compile(
@@ -183,6 +184,11 @@ def place(text: str) -> Place | None:
         if first is not None and other is not None:
             return _span([first, other], True) if _follows(first, other) else Place(first, other=other)
     return None
+
+
+def count_bytes(texts: Sequence[str]) -> bool:
+    """Whether texts are places in the memory of a controller that counts bytes: `%I0.7` beside `%IW64`."""
+    return any(_BIT_OF_BYTE.fullmatch(text.strip()) for text in texts)
 
 
 def are_of_two_bytes(texts: Sequence[str]) -> bool:

@@ -109,7 +109,7 @@ def number(text: str, decimal: str = POINT) -> Decimal | None:
     text = f"-{text[1:]}" if text.startswith(("\u2013", "\u2014")) else text
     if decimal != POINT and _is_ambiguous(text):
         return None
-    if decimal == COMMA:
+    if decimal == COMMA or (not decimal and _SMALL_COMMA.fullmatch(text)):
         text = text.replace(",", ".") if text.count(",") == 1 and "." not in text else text
     elif "," in text:
         return None

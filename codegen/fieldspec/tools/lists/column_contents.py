@@ -9,7 +9,7 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import address_text, place
 from fieldspec.tools.lists.brackets import without_brackets
 from fieldspec.tools.lists.orders import stated_order
-from fieldspec.tools.lists.quantities import formula, known_unit
+from fieldspec.tools.lists.quantities import formula, known_unit, scaled_unit
 from fieldspec.tools.lists.row_quantity import COUNT, decimal_places, example
 from fieldspec.tools.lists.sheet import CellError, SheetRow
 from fieldspec.tools.lists.type_words import typed
@@ -35,6 +35,12 @@ def counts_on(rows: Sequence[SheetRow], column: int) -> bool:
     are_marked = bool(addresses) and all(address is not None and address.mark for address in addresses)
     rising = [number for number in numbers if number is not None]
     return are_marked or (len(rising) == len(texts) > 2 and rising == sorted(set(rising)))
+
+
+def are_lengths(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether most numbers of a column may be lengths: they are small."""
+    numbers = [number for row in rows if (number := cells.whole(row.cell(column))) is not None]
+    return sum(number <= _LONGEST for number in numbers) * 2 >= len(numbers)
 
 
 def are_ranks(rows: Sequence[SheetRow], column: int) -> bool:
@@ -95,7 +101,7 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
 """What at least a third of the cells of a column must be, so that it has a role that its heading names."""
 
 
-_MOST_PLACES = 9
+_MOST_PLACES, _LONGEST = 9, 1000
 _FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {
     "type": typed,
     "places": lambda text: decimal_places(text) is not None and int(decimal_places(text) or 0) <= _MOST_PLACES,
@@ -120,6 +126,8 @@ BY_CELLS: dict[str, Callable[[str], object]] = {
 """The roles that the cells of a column show without a heading, where all of them fit."""
 
 _FEWEST, _LETTERS, _FEWEST_NAMES = 2, 3, 3
+_MOST_OF_MIXED, _MIXED_OF = 1, 2
+"""The part of the cells of a column that are units, ranges or meanings of values."""
 
 
 def role_by_cells(texts: Sequence[str], existing: Set[str], repeats: bool) -> str:
@@ -132,6 +140,10 @@ def role_by_cells(texts: Sequence[str], existing: Set[str], repeats: bool) -> st
     for role, check in BY_CELLS.items():
         if role not in existing and all(map(check, texts)) and not all(folded(text) in _NO_SPACES for text in texts):
             return role
+    known = sum(bool(scaled_unit(text, cells.COMMA) or known_unit(text) or cells.bounds(text)) for text in texts)
+    known += sum(value_meanings(text) is not None for text in texts)
+    if _MOST_OF_MIXED * len(texts) <= known * _MIXED_OF and existing.isdisjoint(("unit", "values", "range")):
+        return "unit"  # whose cells may also be ranges, and values with their meanings
     are_words = all(sum(map(str.isalpha, text)) >= _LETTERS for text in texts)
     return "name" if are_words and not repeats and existing.isdisjoint(("name", "label")) else ""
 

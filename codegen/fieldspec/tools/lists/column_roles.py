@@ -15,6 +15,7 @@ from fieldspec.tools.lists.column_contents import (
     BY_CELLS,
     NOTED,
     are_exponents,
+    are_lengths,
     are_no_types,
     are_ranks,
     counts_on,
@@ -28,7 +29,7 @@ from fieldspec.tools.lists.row_quantity import FACTORS
 from fieldspec.tools.lists.sheet import SheetRow, column_of, letters
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import value_meanings
-from fieldspec.tools.lists.words import folded, meaning, whole_words, words
+from fieldspec.tools.lists.words import folded, whole_words, words
 
 _SHORT_WORDS = ((r"^reg(?![a-z])", "register"), (r"\badr\b", "address"), (r"\bfc\b", "function code"))
 """Patterns of words that headings shorten, and the whole words."""
@@ -110,7 +111,7 @@ def _used(places: Mapping[str, int], further: Mapping[str, tuple[int, ...]]) -> 
 
 def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tuple[SheetRow, ...]) -> Columns | None:
     """The columns below a heading, None if none has addresses, or if one that the user names is not there."""
-    headings = tuple(" ".join(texts) for texts in parts)
+    headings = tuple(" ".join(dict.fromkeys(texts)) for texts in parts)
     places: dict[str, int] = {}
     for role, text in names.items():
         column = column_index(headings, text)
@@ -154,7 +155,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
                 columns or [column for column in fits if any(address_text(row.cell(column)) for row in sample)] or fits
             )
         if role == "address" and (len(columns) > 1 or "address" in places):
-            lengths = _ranked(heads, words("headings")["words"], set())
+            lengths = [n for n in _ranked(heads, words("headings")["words"], set()) if are_lengths(sample, n)]
             columns = [column for column in columns if column not in lengths] or columns
             columns = [column for column in columns if not folded(headings[column]).endswith("offset")] or columns
             if not names:
@@ -202,7 +203,8 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         places.setdefault("address", len(headings) - 1)
     if "address" not in places and len(marked := _marked_columns(sample, {*places.values()})) == 1:
         places["address"] = marked[0]
-    rising = _rising_columns(sample, {*places.values()}) if len(places) >= _FEWEST_ROLES else []
+    has_roles = len(places) >= _FEWEST_ROLES or not any(headings)
+    rising = _rising_columns(sample, {*places.values()}) if has_roles else []
     risen = {"address": rising[0]} if "address" not in places and len(rising) == 1 else {}
     places |= risen
     if "address" not in places:
@@ -236,6 +238,9 @@ def _has_addresses_of(rows: Sequence[SheetRow], column: int, further_column: int
     """Whether a further column has the addresses of a column too: in most rows they differ by the same number."""
     pairs = [(address_text(row.cell(column)), address_text(row.cell(further_column))) for row in rows]
     pairs = [pair for pair in pairs if all(pair)]
+    filled = [row for row in rows if row.cell(column) and row.cell(further_column)]
+    if len({row.cell(column) for row in filled}) != len({row.cell(further_column) for row in filled}):
+        return False
     for base, other_base in product((DECIMAL, HEXADECIMAL), repeat=2):
         numbers = [(first.number(base), other.number(other_base)) for first, other in pairs if first and other]
         differences = Counter(b - a for a, b in numbers if a is not None and b is not None)
@@ -254,8 +259,9 @@ def address_rank(heading: str) -> int:
 
 def _space_of_heading(heading: str) -> str:
     """The address space that a heading of addresses names: `Discrete input`; empty for `Register`."""
+    bare = without_brackets(heading)
     is_short = len(folded(heading)) < _SHORTEST_SPACE and folded(heading) not in _SHORT_SPACES
-    is_general = meaning("headings", heading) == "address" or is_short
+    is_general = not {folded(heading), folded(bare)}.isdisjoint(words("headings")["address"]) or is_short
     return "" if is_general else cells.space(heading)
 
 
@@ -287,7 +293,7 @@ def _rising_columns(rows: Sequence[SheetRow], used_columns: set[int]) -> list[in
         numbers = [address.number(DECIMAL) for address in addresses if address is not None]
         rising = [number for number in numbers if number is not None]
         steps = {after - before for before, after in pairwise(rising)}
-        if len(rising) == len(addresses) > _FEWEST_ROLES and min(steps) > 0 and steps != {1}:
+        if len(rising) == len(addresses) > _FEWEST_ROLES and min(steps) > 0 and (steps != {1} or rising[0] > 1):
             columns.append(column)
     return columns
 

@@ -20,8 +20,8 @@ SPACES = {REGISTERS: False, "input_registers": False, "coils": True, "discrete_i
 _ONLY_READ = ("input_registers", "discrete_inputs")
 
 _HIGHEST_ADDRESS = 0xFFFF
-_MOST_CLASHES = 3
-"""The rows at addresses of others for each row with its own, beyond which a list is not one of a device."""
+_FEW_CLASHES = 5
+"""The rows at addresses of others that a list of one device may have, even if it has fewer others."""
 
 _MOST_WORDS = 1 << 20
 
@@ -197,7 +197,7 @@ def _disjoint(wholes: Sequence[Entry], refused: list[Refusal]) -> list[Entry]:
             continue
         rows_by_address.update(dict.fromkeys(numbers, row.row))
         disjoint_entries.append(entry)
-    if clashes > _MOST_CLASHES * len(disjoint_entries):
+    if clashes > max(len(disjoint_entries), _FEW_CLASHES):
         raise ListError(
             f"has {clashes} rows at addresses of other rows, and {len(disjoint_entries)} at addresses of their own: it "
             "has several devices, or its addresses count within blocks; keep one device, with whole addresses"

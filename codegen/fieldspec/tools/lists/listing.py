@@ -24,6 +24,7 @@ from fieldspec.tools.lists.numbering import (
     assumed_areas,
     bases,
     contradictions,
+    is_reference_of_other,
     placed,
     shortened_bits,
     unknown_areas,
@@ -35,7 +36,7 @@ from fieldspec.tools.lists.row_reading import Cells, ListRow, read_row
 from fieldspec.tools.lists.row_spaces import titled_order, titles, with_spaces
 from fieldspec.tools.lists.shapes import with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
-from fieldspec.tools.lists.tables import columns
+from fieldspec.tools.lists.tables import columns, without_numbers
 from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import meaning
 
@@ -113,6 +114,7 @@ class Listing:
 
 def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NOTHING) -> Listing:
     """The list in a sheet. `names` has the columns of some roles. Raises ListError if the sheet is not a list."""
+    sheet = without_numbers(sheet)
     columns_of_sheet = columns(with_subindices_apart(sheet), names)
     first_row = columns_of_sheet.rows[0].number
     own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
@@ -127,6 +129,9 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         cited = {role: columns_of_sheet.headings.index(role) for role in OF_THE_MANUAL}
         columns_of_sheet = replace(columns_of_sheet, places={**columns_of_sheet.places, **cited})
     assumptions += [*shortened_bits(places), *assumed_areas(places)]
+    if places.wire_heading:
+        evidence = "other columns have their references, or count from 1"
+        assumptions.append(Assumption("addresses", f"as in {places.wire_heading}", evidence, "--address"))
     assumptions += [
         Assumption(columns_of_sheet.heading(role), f"column of {role}", "all its cells", f"--column {role}")
         for role in columns_of_sheet.by_cells
@@ -290,7 +295,8 @@ def _of_bytes(row: ListRow, step: int) -> ListRow | None:
 
 def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRow:
     """A row with its address, and with the words from it to the last one that the cell has."""
-    reference = row_place.first.reference() if base == REFERENCE or row_place.first.mark == REFERENCE else None
+    is_reference = base == REFERENCE or row_place.first.mark == REFERENCE or is_reference_of_other(row_place)
+    reference = row_place.first.reference() if is_reference else None
     last = row_place.last.number(base) if row_place.last is not None else None
     first = row_place.first.number(base)
     span = last - first + 1 if last is not None and first is not None and last >= first else None

@@ -12,19 +12,21 @@ from fieldspec.tools.lists.addresses import (
     HEXADECIMAL,
     HIGHEST,
     REFERENCE,
-    TABLES,
     AddressText,
     Place,
     address_text,
     are_of_two_bytes,
     base_of_heading,
+    count_bytes,
     place,
 )
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.column_roles import Columns
+from fieldspec.tools.lists.notations import with_notations
 from fieldspec.tools.lists.sheet import CellError, ListError, SheetRow
+from fieldspec.tools.lists.words import folded, words
 
-_NEAR = 100
+_NEAR = 20
 _FAR = 1000
 _LAST_WORD = 0xFFFF
 _MOST_EXAMPLES = 3
@@ -36,11 +38,13 @@ _NOTATIONS = {HEXADECIMAL: "hexadecimal", DECIMAL: "decimal", REFERENCE: "refere
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """The rows with a place, the rows without an address, and those whose address is refused."""
+    """The rows with a place, the rows without an address, and those whose address is refused. `wire_heading` is that of
+    a further column that has the addresses on the wire; empty for none."""
 
     rows: tuple[tuple[SheetRow, Place], ...]
     skipped: tuple[SheetRow, ...]
     refused: tuple[Refusal, ...]
+    wire_heading: str = ""
 
 
 def placed(columns: Columns, base: str = "") -> Placed:
@@ -50,10 +54,16 @@ def placed(columns: Columns, base: str = "") -> Placed:
     skipped: list[SheetRow] = []
     refused: list[Refusal] = []
     heading = columns.heading("address")
-    are_bytes = are_of_two_bytes([text for row in columns.rows if (text := columns.cell(row, "address"))])
+    texts = [text for row in columns.rows if (text := columns.cell(row, "address"))]
+    headings = {*filter(None, columns.headings)}
+    are_bytes, are_of_memory = are_of_two_bytes(texts), count_bytes(texts)
     for row in columns.rows:
-        text = columns.cell(row, "address")
+        filled = [*filter(None, row.cells)]
+        is_heading = sum(cell in headings for cell in filled) * 2 > len(filled)
+        text = columns.cell(row, "address") if not is_heading else ""
         try:
+            if are_of_memory and text.startswith("%"):
+                raise CellError("is a place in a memory that counts bytes, and not an address on a bus")
             row_place = place(text.replace(",", " ") if are_bytes else text) if text else None
         except CellError as error:
             refused.append(Refusal(row.number, heading, text, str(error)))
@@ -68,7 +78,8 @@ def placed(columns: Columns, base: str = "") -> Placed:
             skipped.append(row)
     if not rows:
         _refuse_all(columns, refused)
-    placed_rows = list(_with_areas(list(_with_coils(list(_with_bits(rows)))), base, heading))
+    rows, wire_heading = with_notations(rows, columns)
+    placed_rows = list(_with_areas(rows, base, heading))
     shortened = {row.number for row in _shortened(placed_rows)}
     reason = "is this bit, or one whose number ends in a zero that a spreadsheet has dropped; write it as a text"
     refused += [
@@ -77,7 +88,7 @@ def placed(columns: Columns, base: str = "") -> Placed:
         if row.number in shortened
     ]
     placed_rows = [(row, row_place) for row, row_place in placed_rows if row.number not in shortened]
-    return Placed(tuple(placed_rows), tuple(skipped), tuple(refused))
+    return Placed(tuple(placed_rows), tuple(skipped), tuple(refused), wire_heading)
 
 
 def _refuse_all(columns: Columns, refused: Sequence[Refusal]) -> None:
@@ -91,27 +102,6 @@ def _refuse_all(columns: Columns, refused: Sequence[Refusal]) -> None:
         f"has no address under {heading}{': ' + examples_text if examples_text else ''}"
         f"{parted or '; name the column with --address'}"
     )
-
-
-def _with_bits(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, Place]]:
-    """The places, with `100.0` as a bit only where other places have bits."""
-    bits = any(row_place.bits and not row_place.pointless for _, row_place in rows)
-    for row, row_place in rows:
-        whole = row_place.pointless and not bits
-        yield row, Place(row_place.first, row_place.last, None, row_place.other) if whole else row_place
-
-
-def _with_coils(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, Place]]:
-    """The places, with `0x0002` as the coil 2 beside `4x0010`, where each of them is written so in decimal digits."""
-    firsts = [row_place.first for _, row_place in rows]
-    widths = {len(first.digits) for first in firsts if first.mark == REFERENCE}
-    marked = [first for first in firsts if first.mark == HEXADECIMAL]
-    are_coils = widths and all(first.digits.isdecimal() and len(first.digits) in widths for first in marked)
-    for row, row_place in rows:
-        first = row_place.first
-        if are_coils and first.mark == HEXADECIMAL:
-            row_place = replace(row_place, first=replace(first, mark=REFERENCE, space=TABLES["0"]))
-        yield row, row_place
 
 
 def _with_areas(rows: list[tuple[SheetRow, Place]], base: str, heading: str) -> Iterator[tuple[SheetRow, Place]]:
@@ -255,12 +245,16 @@ def chosen(
     ends = [end for end in _ends(placed_rows) if not end.mark]
     if _is_prefixed(ends):
         raise _undecided(ends[0].digits, heading)
-    if REFERENCE in ways and all(map(_is_reference_of_other, (row_place for _, row_place in placed_rows.rows))):
+    if REFERENCE in ways and all(map(is_reference_of_other, (row_place for _, row_place in placed_rows.rows))):
         return REFERENCE, Assumption(
             "addresses", "those in brackets", "the numbers before them are their references", "--base"
         )
     if REFERENCE not in ways:
         return DECIMAL, Assumption("addresses", "decimal", "digits without a mark", "--base hex")
+    keys = {folded(text): text for text in columns.headings}
+    if len(own_keys := [keys[word] for word in words("programs")["wire"] if word in keys]) > 1:
+        evidence = f"{' and '.join(own_keys[:2])} are keys of a program that sends them so"
+        return DECIMAL, Assumption("addresses", "those on the wire", evidence, "--base 4xxxx")
     return _between(
         Reading(DECIMAL, tuple(_for_wire(placed_rows, ends, columns, spaces))),
         Reading(REFERENCE, tuple(_for_references(placed_rows, ends, spaces))),
@@ -331,7 +325,8 @@ def _table(row_place: Place) -> str:
     return reference[0] if reference else ""
 
 
-def _is_reference_of_other(row_place: Place) -> bool:
+def is_reference_of_other(row_place: Place) -> bool:
+    """Whether an address is the reference of the one in its second notation."""
     reference = row_place.first.reference()
     return row_place.other is not None and reference is not None and row_place.other.number(DECIMAL) == reference[1]
 
@@ -341,7 +336,7 @@ def _differences(placed_rows: Placed, base: str, column: int, columns: Columns) 
     return {
         row.number: (other - number, row.cell(column))
         for row, row_place in placed_rows.rows
-        if (number := row_place.first.number(base)) is not None
+        if (number := wire_number(row_place, base)) is not None
         and (other := _further(row, column, columns)) is not None
     }
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from fieldspec.foundation.spreadsheet import clean
 from fieldspec.tools.lists.addresses import address_text
-from fieldspec.tools.lists.cells import whole
+from fieldspec.tools.lists.cells import space, whole
 from fieldspec.tools.lists.naming import snake
 from fieldspec.tools.lists.orders import stated_order
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, ListError, Sheet, SheetRow
@@ -21,6 +21,9 @@ GROUP = "group"
 _NO_ADDRESSES = ("index", "offset", "dec", "decimal", "start", "registers")
 """Keys that only are addresses where no others are."""
 
+
+_FEWEST_ROLES = 4
+"""The roles of objects whose numbers may number anything."""
 
 _STATIONS = ("slave", "unit", "device", "node", "station", "server", "host", "ip", "mac", "i2c", "spi")
 """Words before `address` for what is not a register: the address of a station, of a network or of a chip."""
@@ -47,8 +50,10 @@ def objects_sheet(data: object, format_name: str, only_with_addresses: bool = Fa
         ),
         key=_role_count,
     )
-    if not used and not only_with_addresses:
-        used = [group for group in groups if any(_has_address(item, ()) for item in group.objects)] or _alike(groups)
+    if not used:
+        indexed = [group for group in groups if any(_has_address(item, ()) for item in group.objects)]
+        used = indexed if _role_count(indexed) >= _FEWEST_ROLES or not only_with_addresses else []
+        used = used or ([] if only_with_addresses else _alike(groups))
     objects = [_with_named_bits(item) for item in _joined(used)]
     if not objects:
         raise ListError(f"is {format_name} but not a list of objects; give each register one, or a row of a table")
@@ -118,7 +123,7 @@ def _joined(groups: list[_Group]) -> list[dict[str, Any]]:
     """
     if len({group.name for group in groups}) == 1:
         return [item for group in groups for item in group.objects]
-    if all(meaning("spaces", group.name) for group in groups):
+    if all(space(group.name) for group in groups):
         return [{"space": group.name, **item} for group in groups for item in group.objects]
     pairs = {(group.name, str(item.get("name", ""))) for group in groups for item in group.objects}
     times = Counter(name for _, name in pairs)
@@ -132,7 +137,13 @@ def _joined(groups: list[_Group]) -> list[dict[str, Any]]:
 
 def _has_address(item: dict[str, Any], unless: tuple[str, ...] = _NO_ADDRESSES) -> bool:
     addresses = {word for word in words("headings")["address"] if word not in unless}
-    return any(folded(str(key)) in addresses and not isinstance(value, list | dict) for key, value in item.items())
+    return any(folded(str(key)) in addresses and _is_address(value) for key, value in item.items())
+
+
+def _is_address(value: object) -> bool:
+    """Whether a value may be an address, or several, as in `[20, 21]`."""
+    inner = value if isinstance(value, list) else [value]
+    return bool(inner) and not any(isinstance(part, list | dict) for part in inner)
 
 
 def _has_compound_address(item: dict[str, Any]) -> bool:
@@ -205,7 +216,8 @@ def _groups(name: str, value: Any, outer_facts: dict[str, Any]) -> Iterator[_Gro
     )
     for key, inner in pairs:
         if isinstance(inner, list | dict):
-            yield from _groups(str(key), inner, outer_facts)
+            is_within = space(name) and folded(str(key)) in words("headings")["words"]  # `coils: {registers: [...]}`
+            yield from _groups(name if is_within else str(key), inner, outer_facts)
 
 
 def _says_order(key: str, text: str) -> bool:

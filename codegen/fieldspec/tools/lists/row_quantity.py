@@ -22,7 +22,7 @@ from fieldspec.tools.lists.quantities import (
     unit_cell,
 )
 from fieldspec.tools.lists.type_words import typed
-from fieldspec.tools.lists.words import folded, meaning, words
+from fieldspec.tools.lists.words import folded, meaning, whole_words, words
 
 FACTORS = ("scale", "gain", "divisor")
 """The roles of columns with factors, whose direction a list may leave open."""
@@ -62,6 +62,11 @@ COUNT = re.compile(
 
 _TIMES = re.compile(r"^\s*[*x\u00d7]\s*", re.IGNORECASE)
 _BEHIND_RANGE = re.compile(r"(?:(?<=[0-9])[^\s0-9.,xX]|(?<=[0-9]) [^\s0-9])[^\s0-9]*$")
+_LABEL = re.compile(
+    r"([^\W\d][^\W\d ]*)\s*(?:[:=]\s*)?(?=([x\u00d7*/÷])?)((?:[x\u00d7*/÷]\s*)?[0-9.].*)", re.IGNORECASE
+)
+"""A word, and a number after it, perhaps with the sign of a factor before it."""
+
 _FIXED = re.compile(r"fix(?:ed)?[ _]?([0-9])", re.IGNORECASE)
 _FORMATS = {"temp": 1}
 """The places after the point of formats that have names beside `FIX2`."""
@@ -132,6 +137,9 @@ def quantity_of(
             bare = _TIMES.sub("", cell)
             scaled = example(cell, decimal) or scaled_unit(bare, decimal) or unit_cell(bare, decimal)
             own_factor = factor(cell, decimal)
+            linear = formula(cell, decimal) if own_factor is None and COUNT.match(cell) else None
+            if linear is not None:
+                own_factor, offset = linear.scale, offset or linear.offset
             if own_factor is None and scaled is not None and scaled.scale is not None:
                 own_factor, unit = scaled.scale, replace(unit, unit=unit.unit or scaled.unit)
             if own_factor is not None:
@@ -206,9 +214,11 @@ def _described(text: str, decimal: str) -> Quantity | None:
         return quantity
     pieces = [piece.strip() for piece in _SENTENCES.split(text)]
     for piece in pieces:
-        right = piece.partition("=")[2].strip()
-        if COUNT.match(right) and (linear := formula(right, decimal)) is not None:
-            return linear
+        for right in (piece.partition("=")[2].strip(), piece):
+            if COUNT.match(right) and (linear := formula(right, decimal)) is not None:
+                return linear
+        if (labelled := _labelled(piece, decimal)) is not None:
+            return labelled
     after_word = _UNIT.fullmatch(text.strip())
     if after_word and (unit := known_unit(after_word[1])):
         return Quantity(unit=unit)
@@ -227,6 +237,21 @@ def _described(text: str, decimal: str) -> Quantity | None:
         if quantity is not None and (quantity.times or quantity.scale) and quantity.unit == known_unit(quantity.unit):
             return quantity
     return None
+
+
+def _labelled(text: str, decimal: str) -> Quantity | None:
+    """The quantity of a scale after a word for it, or of a factor with its sign: `Value: x0.1 V`, `Scale 0,1`."""
+    label = _LABEL.fullmatch(text)
+    if label is None:
+        return None
+    is_scale = whole_words().get(folded(label[1])) == "scale"
+    sign = decimal or COMMA
+    quantity = unit_cell(label[3], sign) or scaled_unit(_TIMES.sub("", label[3]), sign)
+    if quantity is None and is_scale and (own_factor := factor(label[3], sign)) is not None and own_factor < 1:
+        quantity = Quantity(own_factor)
+    is_known = quantity is not None and quantity.unit == known_unit(quantity.unit)
+    is_scaled = quantity is not None and bool(quantity.scale or quantity.times)
+    return quantity if is_known and is_scaled and (is_scale or label[2]) else None
 
 
 def _is_power(quantity: Quantity) -> bool:

@@ -30,6 +30,7 @@ STATES = ("zero", "one")
 _SIGNLESS = ("word", "dword", "uint", "byte", "short", "long", "int", "int16", "int32", "int64")
 """The types beside which another column may say that they have a sign, or none."""
 
+_BIT = re.compile(r"bit\s*([0-9]{1,2})", re.IGNORECASE)
 _VALUE_WORD = re.compile(r"^values?\s+(?=[-0-9])", re.IGNORECASE)
 _HIGHEST_COUNT = 0xFFFFFFFF
 _WORD_BITS = 16
@@ -169,7 +170,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         stride=max(whole(texts.get("stride", "")) or 0, 0),
         texts=texts,
         space=_space(texts, doubts),
-        bits=_bits_of_mask(texts, doubts) if "mask" in texts else bits(texts.get("bit", "")),
+        bits=_bits_of_mask(texts, doubts) if "mask" in texts else bits(texts.get("bit", _bit_of_type(own_type))),
         scale=quantity.scale,
         factor=quantity.times or next((open_factor(texts, role, decimal) for role in FACTORS if texts.get(role)), None),
         is_times=quantity.times is not None,
@@ -273,6 +274,12 @@ def _space(texts: Mapping[str, str], doubts: list[str]) -> str:
     if codes.space != stated:
         doubts.append(f"The list says {text}, and the function codes {code_text}.")
     return stated
+
+
+def _bit_of_type(own_type: Typed | None) -> str:
+    """The number of a bit in brackets after a type: `bool (bit 4)`."""
+    bit = _BIT.fullmatch(own_type.aside) if own_type is not None and own_type.kind is Loose.TRUTH else None
+    return bit[1] if bit else ""
 
 
 def _bits_of_mask(texts: Mapping[str, str], doubts: list[str]) -> tuple[int, int] | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import pairwise
 
@@ -19,7 +19,7 @@ from fieldspec.tools.lists.column_roles import (
     headings_text,
 )
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
-from fieldspec.tools.lists.words import folded, whole_words
+from fieldspec.tools.lists.words import folded, meaning, whole_words
 
 _HEADED_BY = 40
 """The number of rows among which the heading is searched."""
@@ -27,9 +27,11 @@ _HEADED_BY = 40
 _SEARCHED, _CLEAR = 1000, 2
 """The number of rows among which a heading is searched whose addresses are clear, where no other has two roles."""
 
-_MOST_HEADING_ROWS = 3
+_MOST_HEADING_ROWS, _FEWEST_NUMBERS = 3, 3
 _MOST_TABLES, _MOST_MARKED_TABLES = 40, 200
 _LONGEST_HEADING = 100
+_NUMBERS_AND_NAMES = 2
+"""The headings of a table that may be one of anything: its numbers, and their names."""
 
 
 def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
@@ -62,6 +64,8 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
                 best = candidate
     if best is None:
         best = _without_heading(sheet, names)
+    if "address" not in names:
+        _refuse_identifiers(best)
     if not best.rows:
         raise ListError("has a heading and no rows")
     if names:
@@ -69,6 +73,32 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     first_row = best.rows[0].number
     tables = (table for table in earlier if _has_rows_before(table, first_row))
     return _with_further_tables(next(tables, best))
+
+
+def without_numbers(sheet: Sheet) -> Sheet:
+    """A sheet without a first row that numbers its columns from 0, and without the numbers of rows below it, which
+    programs write that have tables without headings."""
+    if not sheet.rows:
+        return sheet
+    first, *rows = sheet.rows
+    numbers = [cell for cell in first.cells if cell]
+    if len(numbers) < _FEWEST_NUMBERS or numbers != [str(number) for number in range(len(numbers))] or not rows:
+        return sheet
+    if first.cell(0) or [row.cell(0) for row in rows] != [str(number) for number in range(len(rows))]:
+        return replace(sheet, rows=tuple(rows))
+    return replace(sheet, rows=tuple(SheetRow(row.number, ("", *row.cells[1:])) for row in rows))
+
+
+def _refuse_identifiers(table: Columns) -> None:
+    """Raises ListError for a list of messages on a CAN bus, which have identifiers and not addresses of registers."""
+    kinds = {meaning("can", heading): heading for heading in table.headings if heading}
+    is_clear = address_rank(table.heading("address")) >= _CLEAR
+    if not is_clear and ("identifier" in kinds or {"message", "place"} <= kinds.keys()):
+        heading = kinds.get("identifier") or table.heading("address")
+        raise ListError(
+            f"has messages of a CAN bus, with identifiers under {heading}, and not addresses of registers; import its "
+            "DBC, or name the column of registers with --address"
+        )
 
 
 def _marked_tables(sheet: Sheet, names: Mapping[str, str]) -> Columns | None:
@@ -83,11 +113,22 @@ def _marked_tables(sheet: Sheet, names: Mapping[str, str]) -> Columns | None:
         table = guessed_columns([[cell] if cell else [] for cell in head.cells], names, rows) if rows else None
         has_addresses = table is not None and any(is_place(table.cell(row, "address")) for row in rows)
         parts.append((head, len(rows), table if has_addresses else None))
-    ranks = [address_rank(table.heading("address")) if table is not None else 0 for _, _, table in parts]
+    ranks = [_rank(table) if table is not None else 0 for _, _, table in parts]
     tables = [table for (_, _, table), rank in zip(parts, ranks, strict=True) if table and rank == max(ranks)]
+    if "address" not in names and tables and not max(ranks):
+        heading = tables[0].heading("address")
+        raise ListError(
+            f"has tables, and none that says it has addresses; if {heading} has them, name it with --address"
+        )
     used = set(map(id, tables))
     other_tables = tuple((head, number) for head, number, table in parts if number and id(table) not in used)
-    return replace(reduce(_joined, tables), other_tables=other_tables) if tables else None
+    return replace(reduce(joined_columns, tables), other_tables=other_tables) if tables else None
+
+
+def _rank(table: Columns) -> int:
+    """How clearly a table is one of registers: 0 for a column of numbers with names alone."""
+    is_clear = address_rank(table.heading("address")) >= _CLEAR
+    return _CLEAR if is_clear else int(table.headed > _NUMBERS_AND_NAMES)
 
 
 def _has_rows_before(table: Columns, number: int) -> bool:
@@ -112,15 +153,17 @@ def _with_further_tables(first: Columns) -> Columns:
                 tables.append((further, index + 1, row.cells))
     ends = [start - 1 for _, start, _ in tables[1:]] + [len(first.rows)]
     parts = [replace(table, rows=first.rows[start:end]) for (table, start, _), end in zip(tables, ends, strict=True)]
-    return reduce(_joined, parts)
+    return reduce(joined_columns, parts)
 
 
-def _joined(first: Columns, further: Columns) -> Columns:
+def joined_columns(first: Columns, further: Columns) -> Columns:
     """Two tables as one: columns of a role that both have are one, and others follow the columns of the first table."""
     headings = [*first.headings]
     places, further_columns = dict(first.places), dict(first.more)
     targets: dict[int, int] = {}
     unused = {folded(first.heading_at(column)): column for column in first.unused()}
+    existing = {heading: column for column, heading in _further_headings(first)}
+    targets |= {column: existing[heading] for column, heading in _further_headings(further) if heading in existing}
     for role, column in further.places.items():
         targets[column] = places.setdefault(role, unused.get(folded(further.heading_at(column)), len(headings)))
         headings += [further.heading_at(column)] if targets[column] == len(headings) else []
@@ -130,7 +173,8 @@ def _joined(first: Columns, further: Columns) -> Columns:
             targets[column] = unused.get(folded(further.heading_at(column)), len(headings))
             headings += [further.heading_at(column)] if targets[column] == len(headings) else []
     for role, columns_of_role in further.more.items():
-        further_columns[role] = (*further_columns.get(role, ()), *(targets[column] for column in columns_of_role))
+        joined = (*further_columns.get(role, ()), *(targets[column] for column in columns_of_role))
+        further_columns[role] = tuple(dict.fromkeys(joined))
     rows = list(first.rows)
     for row in further.rows:
         cells = [""] * len(headings)
@@ -141,13 +185,19 @@ def _joined(first: Columns, further: Columns) -> Columns:
     return Columns(places, tuple(headings), tuple(rows), further_columns, by_cells)
 
 
-def role_count(sheet: Sheet) -> int:
-    """How many columns of a sheet have a role by a heading, with addresses below it; 0 where there are none."""
+def _further_headings(table: Columns) -> Iterator[tuple[int, tuple[str, str]]]:
+    """The further columns of roles that several may have, each with the role and its heading."""
+    for role, columns_of_role in table.more.items():
+        yield from ((column, (role, folded(table.heading_at(column)))) for column in columns_of_role)
+
+
+def headed_columns(sheet: Sheet) -> Columns | None:
+    """The columns of a sheet with a heading, and with addresses below it; None where there are none."""
     try:
-        ranked_columns = columns(sheet, {})
+        columns_of_sheet = columns(without_numbers(sheet), {})
     except ListError:
-        return 0
-    return ranked_columns.headed if ranked_columns.headings else 0
+        return None
+    return columns_of_sheet if columns_of_sheet.headings and columns_of_sheet.headed else None
 
 
 def _is_heading(row: SheetRow) -> bool:
@@ -192,6 +242,9 @@ def _without_heading(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     width = max(len(row.cells) for row in sheet.rows)
     heads = first.cells if _is_heading(first) else ()
     headings = headings_text(heads)
+    by_cells = guessed_columns([[]] * width, names, sheet.rows) if not (heads or names) else None
+    if by_cells is not None and "name" in by_cells.places:
+        return by_cells
     places = {}
     for role, text in names.items():
         column = column_index(heads, text) if heads else None

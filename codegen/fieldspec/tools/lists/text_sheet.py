@@ -45,6 +45,20 @@ _MOST_BORDERS = 3
 
 _BOLD, _CODE = re.compile(r"\*\*(?=\S)(.+?)\*\*"), re.compile(r"`+([^`]+)`+")
 _LINK, _SLANTED = re.compile(r"\[([^\[\]]+)\]\([^()\s]*\)"), re.compile(r"\*(?=\S)([^*]+)\*")
+_FORMULA, _NAMED_SIGN = re.compile(r"\$([^$]+)\$"), re.compile(r"\^?\\(?:([A-Za-z]+)|(.))")
+_SIGNS_OF_FORMULAS = {
+    "circ": "°",
+    "mu": "µ",
+    "Omega": "Ω",
+    "times": "\u00d7",
+    "cdot": "·",
+    "div": "÷",
+    "%": "%",
+    "text": "",
+    "mathrm": "",
+}
+"""The signs of formulas in Markdown by their names; others are blanks."""
+
 _RULE = re.compile(r"[|+\s]*[-:=][|+:=\s-]*")
 _DELIMITER = re.compile(r"^[ \t]*(?:\|[ \t]*)?:?-+:?[ \t]*(?:\|[ \t]*:?-+:?[ \t]*)+(?:\|[ \t]*)?\r?$", re.MULTILINE)
 """The line below the heading of a table in Markdown."""
@@ -120,9 +134,15 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
 
 def _without_markup(cell: str) -> str:
     """A cell of a table with bars without the signs of Markdown for bold, code and links."""
-    cell = _LINK.sub(r"\1", _CODE.sub(r"\1", _BOLD.sub(r"\1", cell)))
+    cell = _LINK.sub(r"\1", _CODE.sub(r"\1", _BOLD.sub(r"\1", _FORMULA.sub(_signs_of_formula, cell))))
     slanted = _SLANTED.fullmatch(cell.strip())
     return slanted[1] if slanted else cell
+
+
+def _signs_of_formula(formula: re.Match[str]) -> str:
+    """The text of a formula in a cell: `0.1 °C` for `$0.1\\ ^\\circ\\text{C}$`."""
+    text = _NAMED_SIGN.sub(lambda sign: _SIGNS_OF_FORMULAS.get(sign[1] or sign[2], " "), formula[1])
+    return " ".join(re.sub("[{}]", "", text).split())
 
 
 def _bounded_lines(text: str, size: list[int]) -> Iterator[str]:

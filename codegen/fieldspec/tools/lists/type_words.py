@@ -47,6 +47,7 @@ _ORDER_PHRASE = re.compile(
     r"(?:word|reg(?:ister)?)s?[ -](?:first|zuerst)|\b[lm]s[wr] (?:first|zuerst)|\b(?:nieder|höher|hoch)wertiges "
     r"(?:wort|register) zuerst|\bwords? swap(?:ped)?|\bswap(?:ped)? words?|\b(?:low|high) first\b"
     r"|\bpalabra (?:alta|baja) primero|\bmot de poids (?:fort|faible) en premier|\bparola (?:alta|bassa) prima"
+    r"|[高低]位?字在前|[上下]位ワード先頭|\b(?:yüksek|düşük) word önce|\b(?:hoge|lage) woord eerst"
     r"|\b(?:little|big)[ -]endian words?|\b[lb]e words?|\bCDAB\b|\bBADC\b|\bDCBA\b",
     re.IGNORECASE,
 )

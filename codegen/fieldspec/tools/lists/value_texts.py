@@ -8,11 +8,12 @@ import unicodedata
 from typing import NamedTuple
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.tools.lists.words import folded, whole_words
 
 _PART = re.compile(
     r"(?:(?<=^)|(?<=[\s,;/|\n.)]))(?P<bit>bits?\s*#?|b)?(?P<number>0x[0-9a-f]{1,16}|-?[0-9]{1,20})h?"
     r"(?(bit)(?:\s*(?:\.\.+|-|~)\s*(?:bits?|b)?(?P<last>[0-9]{1,2}))?)"
-    r"(?P<end>\s*(?:=|:|->|=>|→|\u2013|\u2014|\)|\s-(?=\s)|-(?=[a-z])|-(?=\s+[^\W_]))\s*|(?(bit)\s+(?=[^\W\d])|(?!)))",
+    r"(?P<end>\s*(?:=|:|・|\.(?=\s?[^\W\d])|->|=>|→|\u2013|\u2014|\)|\s-(?=\s)|-(?=[a-z])|-(?=\s+[^\W_]))\s*|(?(bit)\s+(?=[^\W\d])|(?!)))",
     re.IGNORECASE,
 )
 _ENDS = (",", ";", "/", "|", "\n")
@@ -24,9 +25,21 @@ _BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}:[ \[(]*")
 _FURTHER = re.compile(r"[/;,|\n]\s*[0-9]{1,4}\s?[.:=)]\s?[^\W\d]")
 """A further value in the text of one, with another sign after its number: `2: meter / 3.Dual-CT`."""
 
-_SIMPLE = re.compile(r"(-?[0-9]{1,20}|nan)\s+(\S.*)", re.IGNORECASE)
-_SEPARATOR = re.compile(r";|\s[/|](?=\s*-?[0-9]+\s)")
-"""What stands between values: `0 off; 1 on`, `0 off / 1 on`."""
+_SIMPLE = re.compile(r"(0x[0-9a-f]{1,16}|-?[0-9]{1,20}|nan)\s+(\S.*)", re.IGNORECASE)
+_SEPARATOR = re.compile(r"[;\n·•]|(?:\s[/|]|,)(?=\s*-?[0-9]+\s)")
+"""What stands between values: `0 off; 1 on`, `0 off / 1 on`, `0 off · 1 on`."""
+
+_BESIDE = re.compile(r"[,/·•|]\s*[0-9]+[\s(]")
+"""A further value in the text of one that only a blank parts from its number: `off · 1 on`."""
+
+_BEHIND = re.compile(
+    r"([^\W\d][^=:;,()\n]{0,40}?)\s*(?:[=:(]|=>|->)\s*(0x[0-9a-f]{1,16}|-?[0-9]{1,10})\)?", re.IGNORECASE
+)
+"""A value after its name: `off = 0`, `on (1)`."""
+
+_BINARY = re.compile("[01]{2,8}")
+_FEWEST_BINARY, _FEW = 3, 2
+"""The values that show that their numbers are binary: `00`, `01`, `10`."""
 
 _BIT = re.compile(r"([0-9]{1,2}(?:\.\.[0-9]{1,2})?(?:,[0-9]{1,2}(?:\.\.[0-9]{1,2})?)*)\s+(\S.*)")
 _JSON_KEY = re.compile(r"(bit\s*|b)?(0x[0-9a-f]+|-?[0-9]+)", re.IGNORECASE)
@@ -55,30 +68,55 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
 
     `single` says that the column is one of meanings, so that `0 stop` alone is one.
     """
-    text = unicodedata.normalize("NFKC", text).strip().strip("`").strip()
-    if text.startswith("{"):
-        return _of_json(text)
+    text = unicodedata.normalize("NFKC", text).replace("`", "").strip()
+    if text.startswith("{") and (of_json := _of_json(text)) is not None:
+        return of_json
+    text = text[1:-1] if text[:1] + text[-1:] in ("[]", "{}") else text
     text = re.sub(r"<br\s*/?>", "; ", text, flags=re.IGNORECASE)
     parts = list(_PART.finditer(text))
     parts = [part for part in parts if part["end"].strip() == parts[0]["end"].strip()]
     if parts and _BEFORE.fullmatch(text[: parts[0].start()]):
         ends = [*(part.start() for part in parts[1:]), len(text)]
         raw_texts = [text[part.end() : end] for part, end in zip(parts, ends, strict=True)]
-        texts = [raw_text.strip(" ,;/|.]") for raw_text in raw_texts]
+        texts = [raw_text.strip(" ,;/|.]'\"") for raw_text in raw_texts]
         are_parted = parts[0]["end"].strip() or all(raw_text.rstrip(" ").endswith(_ENDS) for raw_text in raw_texts[:-1])
         are_ends = parts[0]["end"].strip() == "-" and not all(any(map(str.isalpha, name)) for name in texts)
-        if all(texts) and are_parted and not are_ends and not any(map(_FURTHER.search, texts)):
+        is_point = parts[0]["end"].strip() == "." and len(parts) == 1
+        are_values = are_parted and not are_ends and not is_point
+        if all(texts) and are_values and not any(map(_FURTHER.search, texts)):
+            digits = [part["number"] for part in parts]
+            are_binary = (
+                len(digits) >= _FEWEST_BINARY and all(map(_BINARY.fullmatch, digits)) and len({*map(len, digits)}) == 1
+            )
             return _sorted(
                 [
-                    (bool(part["bit"]), _number(part["number"]), name, int(part["last"] or 0))
+                    (
+                        bool(part["bit"]),
+                        int(part["number"], 2) if are_binary else _number(part["number"]),
+                        name,
+                        int(part["last"] or 0),
+                    )
                     for part, name in zip(parts, texts, strict=True)
                 ]
             )
     simple = [_SIMPLE.fullmatch(piece.strip()) for piece in _SEPARATOR.split(text) if piece.strip()]
     if simple and all(simple) and (single or len(simple) > 1 or text.rstrip().endswith(";")):
-        return _sorted(
-            [(False, int(piece[1]), piece[2].strip(), 0) for piece in simple if piece and piece[1].lower() != "nan"]
+        pairs = [(_number(piece[1]), piece[2].strip()) for piece in simple if piece and piece[1].lower() != "nan"]
+        are_consecutive = (
+            [number for number, _ in pairs] == list(range(pairs[0][0], pairs[0][0] + len(pairs))) if pairs else True
         )
+        if (are_consecutive or ";" in text or "," not in text) and not any(_BESIDE.search(name) for _, name in pairs):
+            return _sorted([(False, number, name, 0) for number, name in pairs])
+        return None
+    named_values = [_BEHIND.fullmatch(piece.strip()) for piece in re.split("[,;/\n]", text) if piece.strip()]
+    names = [(_number(piece[2]), piece[1]) for piece in named_values if piece and folded(piece[1]) not in whole_words()]
+    first = min((number for number, _ in names), default=0)
+    if (
+        len(names) == len(named_values) > 1
+        and {number for number, _ in names} == {*range(first, first + len(names))}
+        and first < _FEW
+    ):
+        return _sorted([(False, number, name, 0) for number, name in names])
     return None
 
 

@@ -11,7 +11,7 @@ from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import SheetRow
 from fieldspec.tools.lists.value_texts import value_meanings
 
-_NUMBERS = (None, "value", "values", "range")
+_NUMBERS = (None, "value", "values", "range", "min")
 _TEXTS = (None, "name", "label", "printed_name", "values", "note")
 """The roles of columns with the numbers of such rows, and of those with what they mean."""
 
@@ -54,9 +54,10 @@ def _values(columns: Columns, row: SheetRow) -> list[tuple[int, str, int]]:
     if len(filled) == 1 and roles.get(filled[0][0]) in ("values", "range"):
         meanings = value_meanings(filled[0][1])
         return [(*member, filled[0][0]) for member in meanings.members] if meanings is not None else []
-    if len(filled) != 2:
+    numbers = [(column, number) for column, text in filled if (number := whole(text)) is not None]
+    texts = [(column, text) for column, text in filled if whole(text) is None and any(map(str.isalpha, text))]
+    if len(numbers) != 1 or not texts or len(texts) + 1 < len(filled):
         return []
-    (column, text), (text_column, meaning) = filled
-    number = whole(text)
-    is_value = roles.get(column) in _NUMBERS and roles.get(text_column) in _TEXTS and any(map(str.isalpha, meaning))
-    return [(number, meaning, column)] if number is not None and is_value else []
+    (column, number), (text_column, meaning) = numbers[0], texts[0]
+    is_value = roles.get(column) in _NUMBERS and roles.get(text_column) in _TEXTS
+    return [(number, meaning, column)] if is_value else []

@@ -3,20 +3,29 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping
+from functools import reduce
 from typing import TYPE_CHECKING
 
 from fieldspec.foundation.classes import replace
 from fieldspec.foundation.spreadsheet import clean
+from fieldspec.tools.lists.addresses import address_text
+from fieldspec.tools.lists.cells import space
+from fieldspec.tools.lists.column_roles import Columns
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
-from fieldspec.tools.lists.tables import role_count
-from fieldspec.tools.lists.words import meaning
+from fieldspec.tools.lists.tables import headed_columns, joined_columns
 from fieldspec.tools.lists.workbook_size import used_area
 
 if TYPE_CHECKING:
     from openpyxl.worksheet.worksheet import Worksheet
 
 MAGIC = b"PK\x03\x04"
+
+_REPEATED = 20
+"""One address in this number may be on several sheets of a device."""
+
+_FEWEST_ROLES = 2
+"""The headings of sheets that may have anything in them."""
 
 
 def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
@@ -29,12 +38,17 @@ def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
             raise ListError(f"has no sheet {sheet_name}; choose from {', '.join(sheet.title for sheet in sheets)}")
         return _filled(content, _sheet(sheets[matches[0]], area), matches[0], area)
     read = {number: sheet_rows for number, sheet in enumerate(sheets) if (sheet_rows := _sheet(sheet, area)).rows}
-    role_counts = {number: role_count(sheet) for number, sheet in read.items()}
-    if joined := _joined([sheet for number, sheet in read.items() if role_counts[number]]):
-        return replace(joined, others=tuple(sheet.name for number, sheet in read.items() if not role_counts[number]))
     if not read:
         raise ListError("is empty")
-    best = max(read, key=lambda number: (role_counts[number], -number))
+    tables = {number: headed_columns(sheet) for number, sheet in read.items()}
+    role_counts = {number: table.headed if table else 0 for number, table in tables.items()}
+    best = max(read, key=lambda number: (role_counts[number], len(read[number].rows), -number))
+    alike = [number for number, table in tables.items() if table and _are_alike(table, tables[best])]
+    parts = {number: _filled(content, read[number], number, area) for number in alike} if len(alike) > 1 else {}
+    filled = {number: table for number, sheet in parts.items() if (table := headed_columns(sheet)) is not None}
+    if len(filled) > 1 and not any(sheet.formulas for sheet in parts.values()) and _are_disjoint(parts, filled):
+        other_names = tuple(sheet.name for number, sheet in read.items() if number not in filled)
+        return replace(_joined(parts, filled), others=other_names)
     other_names = tuple(sheet.name for number, sheet in read.items() if number != best)
     return replace(_filled(content, read[best], best, area), others=other_names)
 
@@ -48,25 +62,47 @@ def _filled(content: bytes, sheet: Sheet, number: int, area: tuple[int, int]) ->
     return _with_values(sheet, _sheet(_worksheets(content, formulas=False)[number], area))
 
 
-def _joined(sheets: Sequence[Sheet]) -> Sheet | None:
-    """Sheets with the same headings that are each named after an address space, as one. Rows count on.
+def _are_alike(table: Columns, other: Columns | None) -> bool:
+    """Whether two sheets have columns of the same roles, several of them."""
+    roles = [{*columns.places} - {*columns.by_cells} for columns in (table, other) if columns is not None]
+    return len(roles) > 1 and roles[0] == roles[1] and len(roles[0]) > _FEWEST_ROLES
 
-    None where the sheets differ from this form.
-    """
-    spaces = [meaning("spaces", sheet.name) for sheet in sheets]
-    heading = sheets[0].rows[0].cells if sheets else ()
-    alike = all(sheet.rows[0].cells == heading and not sheet.formulas for sheet in sheets)
-    if len(sheets) < 2 or "" in spaces or len(set(spaces)) < len(spaces) or not alike:
-        return None
-    rows = [SheetRow(sheets[0].rows[0].number, (*heading, "space"))]
+
+def _are_disjoint(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> bool:
+    """Whether hardly an address is on two sheets, but of address spaces that the sheets are named after."""
+    addresses = [
+        {
+            (space(sheets[number].name), table.cell(row, "space"), text)
+            for row in table.rows
+            if (text := table.cell(row, "address")) and address_text(text) is not None
+        }
+        for number, table in tables.items()
+    ]
+    total = sum(map(len, addresses))
+    return (total - len(set[tuple[str, str, str]]().union(*addresses))) * _REPEATED < total
+
+
+def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet:
+    """Sheets with the same columns as one, with the titles and perhaps the address space of each. Rows count on."""
+    above: list[SheetRow] = []
+    parts: list[Columns] = []
+    spaces: dict[int, str] = {}
     before = 0
-    for sheet, space in zip(sheets, spaces, strict=True):
-        width = len(heading)
-        for row in sheet.rows[1:]:
-            cells = (*row.cells[:width], *[""] * (width - len(row.cells)), space)
-            rows.append(SheetRow(before + row.number, cells))
+    for number, table in tables.items():
+        sheet = sheets[number]
+        titles = [row for row in sheet.rows if row.number < table.rows[0].number and sum(map(bool, row.cells)) == 1]
+        above += [SheetRow(before + row.number, row.cells) for row in titles]
+        parts.append(replace(table, rows=tuple(SheetRow(before + row.number, row.cells) for row in table.rows)))
+        spaces |= dict.fromkeys((row.number for row in parts[-1].rows), space(sheet.name))
         before += sheet.lines
-    return Sheet(tuple(rows), before, joined=tuple(sheet.name for sheet in sheets))
+    joined = reduce(joined_columns, parts)
+    heading = SheetRow(max(joined.rows[0].number - 1, 1), (*joined.headings, "space"))
+    rows = [
+        SheetRow(row.number, (*(row.cell(n) for n in range(len(joined.headings))), spaces[row.number]))
+        for row in joined.rows
+    ]
+    ordered = sorted([*above, heading, *rows], key=lambda row: row.number)
+    return Sheet(tuple(ordered), before, joined=tuple(sheets[number].name for number in tables))
 
 
 def _worksheets(content: bytes, formulas: bool) -> list[Worksheet]:

@@ -48,6 +48,8 @@ class Engine(Operation):
         """What decided on what signals show, if writing that has changed nothing."""
         self._settled: tuple[object, ...] | None = None
         """What decided on the conditions of rules without an event, if all of them had been carried out."""
+        self._followed: tuple[int, ...] = ()
+        """How often values had changed when rules of bits were last carried out."""
         self.overridden: dict[str, Raw] = {}
         """Values that a person or a fault holds fast, by the path of their cells."""
         self.reported_version = reported_version(layout, behaviour)
@@ -152,7 +154,8 @@ class Engine(Operation):
 
     def follow(self) -> None:
         """Carries out the rules of bits that have changed, then those without an event whose condition is new."""
-        for rule in self._edges:
+        before, self._followed = self._followed, self.memory.changes
+        for rule in self._edges if before != self._followed else ():
             new, old = self._bit(rule), self._old.get(rule.name, 0)
             self._old[rule.name] = new
             if new != old and bool(new) == ("rises" in rule["when"]):
@@ -207,9 +210,8 @@ class Engine(Operation):
     def _decisive(self) -> tuple[object, ...]:
         """What decides on that which signals show. The time does so in a motion only."""
         memory, axis = self.memory, self.axis
-        changes = memory.words.changes, memory.elements.changes, memory.fields.changes
         settings = *self.states.values(), *self.element.items(), *self.overridden.items()
-        return *changes, *settings, *axis.parts, self.now if axis.moving else None
+        return *memory.changes, *settings, *axis.parts, self.now if axis.moving else None
 
     def _displayed(self, part: Part) -> object:
         condition = part.get("if")

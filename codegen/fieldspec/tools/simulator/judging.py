@@ -5,19 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.codec.layout.accepted import Condition, passes, range_conditions
-from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.codec.reference.frames import FrameCodec
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
     from typing import Any
 
-_CONDITIONS: ByIdentity[Device, ByIdentity[Value, tuple[Condition, ...]]] = ByIdentity(limit=8)
-"""The conditions of values of the last devices."""
+_CONDITIONS: ByIdentity[Device, ByIdentity[RecordLayout, list[tuple[str, tuple[Condition, ...]]]]] = ByIdentity(limit=8)
+"""The conditions of the fields of records of the last devices."""
 
 DAMAGED = ("wrong_mark", "not_hex", "wrong_checksum")
 _REASONS = {
@@ -42,19 +41,21 @@ def refusal_reason(frames: FrameCodec, frame: bytes, error: CodecError) -> str:
 
 
 def first_out_of_range(device: Device, record: RecordLayout, values: Mapping[str, Any]) -> str:
-    """The name of the first field of a record whose value is beyond its range; empty where none is."""
-    judged = (_out_of_range(device, field, values) for field in record.fields)
-    return next((name for name in judged if name), "")
-
-
-def _out_of_range(device: Device, field: FieldLayout, values: Mapping[str, Any]) -> str:
-    """The name of a field whose value, or one of its bits, is beyond its range; empty for all others."""
-    value, raw = field.value, values.get(field.name)
-    if value is None or not isinstance(raw, int) or isinstance(raw, bool):
-        return ""
+    """The name of the first field of a record whose value, or one of its bits, is beyond its range; empty for none."""
     of_device = _CONDITIONS.get_or_compute(device, lambda _: ByIdentity())
-    conditions = of_device.get_or_compute(value, lambda value: range_conditions(device, value))
-    return "" if all(passes(own.test, raw) for own in conditions) else field.name
+    for name, conditions in of_device.get_or_compute(record, lambda record: _conditions(device, record)):
+        raw = values.get(name)
+        is_number = isinstance(raw, int) and not isinstance(raw, bool)
+        if is_number and not all(passes(condition.test, raw) for condition in conditions):
+            return name
+    return ""
+
+
+def _conditions(device: Device, record: RecordLayout) -> list[tuple[str, tuple[Condition, ...]]]:
+    """The fields of a record with the conditions of their ranges, but for fields without any."""
+    fields = ((field.name, field.value) for field in record.fields)
+    pairs = [(name, range_conditions(device, value)) for name, value in fields if value is not None]
+    return [(name, conditions) for name, conditions in pairs if conditions]
 
 
 def recognised_message(frames: FrameCodec, frame: bytes) -> str:

@@ -43,6 +43,8 @@ class Line:
     ) -> None:
         self.server, self.link, self.faults, self.listener = server, link, faults, listener
         self.message, self.framing, self.framer = message, framing, framing()
+        self.delay = timing(server, "response_delay")
+        """The seconds from a request to its response."""
         self._paused = False
         """Whether there was a pause since the last byte."""
         self._recent = bytearray()
@@ -142,13 +144,9 @@ class Line:
         text = f"{answer.text}, {fault.kind}" if fault is not None else answer.text
         if sent_frame:
             self.listener(now, self.link, "response", sent_frame, text)
-            yield Sending(self.delay() + late, sent_frame)
+            yield Sending(self.delay + late, sent_frame)
         else:
             self.listener(now, self.link, "response", b"", text)
-
-    def delay(self) -> float:
-        """The seconds from a request to its response."""
-        return timing(self.server, "response_delay")
 
 
 def timing(server: Server, name: str) -> float:

@@ -97,6 +97,11 @@ class Memory:
         ]
         self.deliver()
 
+    @property
+    def changes(self) -> tuple[int, int, int]:
+        """Other numbers after everything that may have changed a watched value."""
+        return self.words.changes, self.elements.changes, self.fields.changes
+
     def deliver(self) -> None:
         """Sets everything to what it is when the device is delivered, as far as the values themselves say it."""
         device = self.layout.device

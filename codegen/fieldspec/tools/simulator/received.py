@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from fieldspec.codec.layout.message import MessageLayout
-from fieldspec.codec.reference.frames import Decoded, FrameCodec
+from fieldspec.codec.reference.frames import Decoded, FrameCodec, Outline
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.tools.simulator import judging
@@ -42,21 +42,19 @@ def received(frames: FrameCodec, unit_address: int, frame: bytes, message: str) 
     """
     shape = frames.link.request
     try:
-        parts = frames.original_parts(frame, "request")
-        if len(parts) < shape.header_size + shape.trailer_size:
-            return "too short"
-        head = dict(frames.heads["request"].parse(parts[: shape.header_size]))
+        outline = frames.outline(frame, "request")
     except CodecError as error:
         return f"damaged: {error.detail}"
-    starts = ((part, part.at(len(parts))) for part in shape.digits)
-    garbled = next((part for part, start in starts if part.read(parts[start : start + part.size]) is None), None)
+    parts, numbers = outline
+    garbled = next((part for part in frames.framed["request"].digits if numbers[part.name] is None), None)
     if garbled is not None:
         return f"damaged: {garbled.name} is not a number"
+    head = {part.name: numbers[part.name] for part in shape.header}
     coded = shape.role("code")
     code = head[coded.name] if coded is not None else None
-    outcome = _decoded(frames, frame, message if code is None else "")
-    is_decoded = isinstance(outcome, Decoded)
-    if shape.checksums and not is_decoded and not frames.has_right_checksum(frame, "request"):
+    outcome = _decoded(frames, outline, message if code is None else "")
+    has_checksum = bool(frames.framed["request"].checksums)
+    if has_checksum and not isinstance(outcome, Decoded) and not frames.has_right_checksum(frame, "request"):
         return "damaged: wrong checksum"
     is_broadcast = False
     addressed = shape.role("unit_address")
@@ -71,7 +69,7 @@ def received(frames: FrameCodec, unit_address: int, frame: bytes, message: str) 
         return "another identifier"
     if code is None and not message:
         message = judging.recognised_message(frames, frame)
-        outcome = _decoded(frames, frame, message)
+        outcome = _decoded(frames, outline, message)
     announced = frames.link.announced(code, parts[shape.header_size : len(parts) - shape.trailer_size], message)
     silence = "broadcast" if is_broadcast else ""
     if announced is not None and announced.name not in frames.link.carried("response"):
@@ -88,10 +86,10 @@ def received(frames: FrameCodec, unit_address: int, frame: bytes, message: str) 
     return replace(request, message=outcome.message, values=outcome.values, out_of_range=out_of_range)
 
 
-def _decoded(frames: FrameCodec, frame: bytes, message: str) -> Decoded | CodecError:
+def _decoded(frames: FrameCodec, outline: Outline, message: str) -> Decoded | CodecError:
     """The meaning of a request, or why it has none."""
     try:
-        return frames.decode(frame, "request", message)
+        return frames.decode_outline(outline, "request", message)
     except CodecError as error:
         return error
 

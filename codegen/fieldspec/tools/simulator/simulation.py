@@ -171,10 +171,12 @@ class Simulation:
                 seconds = silence if line.waiting else 0.2
                 data = carrier.read(seconds)
                 waited = 0.0 if data else waited + seconds
-                ended = carrier.keeps_pauses or waited >= self._patience(line, silence)
-                silent = line.idle if ended else line.pause
                 with self.lock:
-                    sendings = list(line.feed(self.now(), data) if data else silent(self.now()))
+                    if data:
+                        sendings = list(line.feed(self.now(), data))
+                    else:
+                        ended = carrier.keeps_pauses or waited >= self._patience(line, silence)
+                        sendings = list((line.idle if ended else line.pause)(self.now()))
                 for sending in sendings:
                     self._send(carrier, sending)
         except CarrierError:

@@ -1,8 +1,8 @@
+import { ACCEPTED, decodedRow, exponentApplied, repeatedValue } from "./values.js";
 import { ExplanationRow, factRow, surplusRow, wrongRow } from "./row.js";
 import { Message, extents } from "./layouts.js";
 import { Place, fieldProgram, runEach } from "./interpreter.js";
 import { SENTENCES } from "./sentences.js";
-import { decodedRow, exponentApplied, repeatedValue } from "./values.js";
 import { errataAt } from "./device.js";
 import { missingText } from "./texts.js";
 import { withParameter } from "./parameters.js";
@@ -267,7 +267,7 @@ export class Body {
     let high, low;
     const measure = field.field.measures;
     const other = this.record.named(py.either(field.bitsOf, () => (measure != null ? measure.field : "")));
-    if (other == null || py.truth(other.cases)) {
+    if (other == null || py.truth(other.splitsRecord)) {
       return read;
     }
     const inner = this.record.innerLists;
@@ -308,7 +308,10 @@ export class Body {
   _deciding(field, read) {
     for (const other of this.record.fields) {
       const [presence, number] = [other.presence, read.number];
-      if (read.reason || presence == null || presence.by !== field.name || !py.isWhole(number)) {
+      if (presence == null || presence.by !== field.name) {
+        continue;
+      }
+      if (!py.has(ACCEPTED, read.reason) || !py.isWhole(number)) {
         continue;
       }
       const items = this.record.innerLists == null ? this._itemsAtEnd(other) : this._itemsIfKnown(other);

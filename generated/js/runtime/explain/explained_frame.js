@@ -1,8 +1,7 @@
+import { ACCEPTED } from "./values.js";
 import { py } from "./python.js";
 
 /** The meaning of every byte of a frame. */
-
-const EXPLAINED_FRAME_ACCEPTED = ["", "out_of_range"];
 
 /**
  * The meaning of every byte of a frame.
@@ -26,6 +25,6 @@ export class Explanation {
 
   /** The reasons for which a codec refuses the frame, as its errors name them; empty if it accepts the frame. */
   get reasons() {
-    return [...this.rows].filter((row) => !py.has(EXPLAINED_FRAME_ACCEPTED, row.reason)).map((row) => row.reason);
+    return [...this.rows].filter((row) => !py.has(ACCEPTED, row.reason)).map((row) => row.reason);
   }
 }

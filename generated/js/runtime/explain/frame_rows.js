@@ -1,6 +1,6 @@
 import { Body } from "./body.js";
 import { DecodedValue, Meaning, decodeValue, repeatedValue, whole } from "./values.js";
-import { EscapeError, originalPlaces } from "./layouts.js";
+import { EscapeError, originalPlaces } from "./links.js";
 import { Explanation } from "./explained_frame.js";
 import { NO_REGISTERS, RegisterRows } from "./registers.js";
 import { SENTENCES } from "./sentences.js";

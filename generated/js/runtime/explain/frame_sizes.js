@@ -1,4 +1,4 @@
-import { CAN_HEADER } from "./layouts.js";
+import { CAN_HEADER } from "./links.js";
 import { SENTENCES } from "./sentences.js";
 import { byteCount } from "./texts.js";
 import { py } from "./python.js";

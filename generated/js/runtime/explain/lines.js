@@ -1,5 +1,5 @@
 import { SENTENCES } from "./sentences.js";
-import { canFrameBytes } from "./layouts.js";
+import { canFrameBytes } from "./links.js";
 import { py } from "./python.js";
 
 /** Reads frames from text: bytes in any usual spelling, and lines of a sniffer log. */

@@ -1,5 +1,5 @@
 import { OpenRequest } from "./readings.js";
-import { repeatedParts } from "./layouts.js";
+import { repeatedParts } from "./links.js";
 import { py } from "./python.js";
 
 /** The requests of a log that may still be answered. */

@@ -1,5 +1,6 @@
-import { CAN_EXTENDED, CAN_REMOTE, WORD, citations } from "./layouts.js";
+import { CAN_EXTENDED, CAN_REMOTE } from "./links.js";
 import { SENTENCES } from "./sentences.js";
+import { WORD, citations } from "./layouts.js";
 import { byteCount } from "./texts.js";
 import { errataAt, errataOfWords } from "./device.js";
 import { py } from "./python.js";
@@ -77,9 +78,12 @@ export class Spot {
     return isRemote ? DLC : py.str(position - this.escape.fieldsSize);
   }
 
-  /** `byte 4`, or `byte 2 of the data` of a CAN frame, for a byte of the parts. */
+  /** `byte 4` of the frame, or `byte 2 of the data` of a CAN frame, for a byte of the parts. */
   byteText(position) {
-    return this.escape == null ? `byte ${position}` : this.escape.byteText(position);
+    if (this.escape != null && this.escape.method === "can") {
+      return this.escape.byteText(position);
+    }
+    return `byte ${this.place(position, 0)[0]}`;
   }
 
   /**

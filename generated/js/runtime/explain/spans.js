@@ -1,9 +1,13 @@
-import { BIT, BYTE, WORD, unpackedBits } from "./layouts.js";
+import { BIT, BYTE, WORD, hasWordDigits, unpackedBits, wordBytes } from "./layouts.js";
 import { py } from "./python.js";
 
 /** The addresses that a frame reads or writes, with the bytes at them. */
 
-/** Bytes at `at` in the parts of a frame, and the bytes of the value that they carry: for a bit, one with 0 or 1. */
+/**
+ * Bytes at `at` in the parts of a frame, and the bytes of the value that they carry.
+ *
+ * These are other bytes for a bit, one with 0 or 1, and for hexadecimal digits.
+ */
 export class Piece {
   constructor({ at, raw, content }) {
     Object.assign(this, { at, raw, content });
@@ -15,11 +19,12 @@ export class Piece {
  *
  * In a space of bits, `words` counts these, and `bits` has those that the frame carries, in order. A single one is
  * None if its number means neither 0 nor 1. In other spaces, `bits` is None. In a space of bytes, `words` counts
- * bytes, and an address has a `unit_size` of 1.
+ * bytes, and an address has a `unit_size` of 1. `digits` are the hexadecimal digits that the frame has for `data`, two
+ * for each byte; empty if it has the bytes themselves.
  */
 export class Span {
-  constructor({ space, address, words, at, data, bits = null, unitSize = 2 }) {
-    Object.assign(this, { space, address, words, at, data, bits, unitSize });
+  constructor({ space, address, words, at, data, bits = null, unitSize = 2, digits = Uint8Array.of() }) {
+    Object.assign(this, { space, address, words, at, data, bits, unitSize, digits });
   }
 
   /** The address after the last word. */
@@ -45,6 +50,13 @@ export class Span {
       return null;
     }
     const content = py.slice(this.data, start, start + size);
+    if (py.truth(this.digits)) {
+      return new Piece({
+        at: this.at + (2 * start),
+        raw: py.slice(this.digits, 2 * start, 2 * (start + size)),
+        content,
+      });
+    }
     return new Piece({ at: this.at + start, raw: content, content });
   }
 
@@ -121,9 +133,13 @@ export function* accessedSpans(layout, message, record, body, values, requestVal
     }
     const isCarried = isSingle || (access.operation === "read") === isResponse;
     const field = isCarried ? record.named(access.values) : null;
-    const [offset, carried] = field != null ? [field.offset, py.slice(data, field.offset, field.end)] : [0, Uint8Array.of()];
+    const [offset, content] = field != null ? [field.offset, py.slice(data, field.offset, field.end)] : [0, Uint8Array.of()];
+    const carried = field != null ? wordBytes(field, content) : Uint8Array.of();
     const own = (isSingle || !isResponse) ? values : py.dict([]);
-    const span = accessed(layout.device, access, own, py.either(requestValues, () => py.dict([])), start + offset, carried);
+    let span = accessed(layout.device, access, own, py.either(requestValues, () => py.dict([])), start + offset, carried);
+    if (span != null && field != null && py.truth(hasWordDigits(field))) {
+      span = py.replace(span, { digits: content });
+    }
     if (span != null) {
       yield [access, span];
     }

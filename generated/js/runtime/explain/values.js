@@ -7,6 +7,9 @@ import { SENTENCES } from "./sentences.js";
 import { intervalsText, isWithin, sameValue, sentence, valueText } from "./texts.js";
 import { memberOf } from "./device.js";
 
+/** Reasons with which a codec still accepts a value. */
+export const ACCEPTED = ["", "out_of_range"];
+
 const EXACT_DIGITS = 120;
 
 /** The sentinel with a raw value. */

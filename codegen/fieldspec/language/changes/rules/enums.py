@@ -120,7 +120,8 @@ def member_renumbered(comparison: Comparison) -> Iterator[Change]:
         old, new = pair.old.value, pair.new.value
         if old != new:
             text = f"{named(pair.containers[1])}: {named(pair.new)} is {new}, and was {old}"
-            yield change("member_renumbered", Effect.WIRE, pair, "value", text, old, new)
+            effect = Effect.DOCS if pair.old.unavailable and pair.new.unavailable else Effect.WIRE
+            yield change("member_renumbered", effect, pair, "value", text, old, new)
 
 
 def aliases_changed(comparison: Comparison) -> Iterator[Change]:
@@ -136,7 +137,7 @@ def aliases_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Member):
         old, new = ", ".join(pair.old.aliases), ", ".join(pair.new.aliases)
         if old != new:
-            lost = not set(pair.old.aliases) <= {pair.new.name, *pair.new.aliases}
+            lost = not (pair.old.unavailable or set(pair.old.aliases) <= {pair.new.name, *pair.new.aliases})
             effect = Effect.SOURCE if lost else Effect.DOCS
             subject = f"{named(pair.containers[1])}: {named(pair.new)}"
             text = f"{subject}: {difference_text('what else it is called', old or None, new or None)}"

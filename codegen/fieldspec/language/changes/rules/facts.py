@@ -114,7 +114,7 @@ def renamed(comparison: Comparison) -> Iterator[Change]:
         old, new = named(renaming.pair.old), named(renaming.pair.new)
         consequences = CONSEQUENCES[type(renaming.pair.new)]
         effect, outputs = consequences.renaming, consequences.outputs
-        if _is_unnamed(comparison, renaming.pair.new):
+        if _is_unnamed(comparison, renaming.pair.old):
             effect, outputs = Effect.DOCS, ()
         place = within(renaming.pair.containers[1])
         text = f"the {kind(renaming.pair.new)} {old}{place} is called {new}; it has {renaming.evidence}"
@@ -122,7 +122,11 @@ def renamed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _is_unnamed(comparison: Comparison, item: Any) -> bool:
-    """Whether no output has the name: the body of a frame, or a space where no address needs the name of its space."""
+    """Whether no output has the name: the body of a frame, a space where no address needs its name, or a member of an
+    enum that is not available.
+    """
+    if isinstance(item, Member):
+        return item.unavailable
     if isinstance(item, AddressSpace):
         return not (comparison.old.several_spaces or comparison.new.several_spaces)
     return isinstance(item, Part) and item.role == "body"

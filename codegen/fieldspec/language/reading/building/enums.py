@@ -64,7 +64,7 @@ def flags(entry: Entry) -> Flags:
 
 def _bit(entry: Entry, highest: int | None) -> Bit:
     """A bit. Where the manual counts from the most significant bit, `highest` is the number of that one."""
-    pieces = _pieces(entry)
+    pieces = bit_pieces(entry)
     if highest is not None:
         pieces = [(highest - last, highest - first) for first, last in reversed(pieces)]
     first, last = min(first for first, _ in pieces), max(last for _, last in pieces)
@@ -104,7 +104,7 @@ def _bit(entry: Entry, highest: int | None) -> Bit:
     )
 
 
-def _pieces(entry: Entry) -> list[tuple[int, int]]:
+def bit_pieces(entry: Entry) -> list[tuple[int, int]]:
     """The first and the last bit of each run of adjacent bits, as the manual counts; one unless they lie apart."""
     number, text = entry.integer("bit"), entry.text("bits")
     if text and number is not None:

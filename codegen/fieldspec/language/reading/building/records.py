@@ -16,6 +16,7 @@ from fieldspec.language.model.record import (
     SegmentsAbort,
 )
 from fieldspec.language.reading.building.context import Entry, Reused, rows
+from fieldspec.language.reading.building.enums import bit_pieces
 from fieldspec.language.reading.building.remote_requests import with_remote_request
 from fieldspec.language.reading.building.separators import with_separators
 from fieldspec.language.reading.building.values import VALUE_KEYS, value
@@ -135,10 +136,20 @@ def _continuation(entry: Entry) -> Presence | None:
 
 
 def _presence(entry: Entry, key: str) -> Presence:
-    if "is" in entry.own and "bit" not in entry.own:
+    if "is" in entry.own and "when" in entry.own:
         entry.refuse("wrong_form", "is", "`is` has no effect without `bit`", "remove it, or state the `bit`")
     value = entry.integer("is")
-    return Presence(entry.text(key), entry.integer("bit"), 1 if value is None else value, entry.texts("when"))
+    return Presence(entry.text(key), _bits(entry), 1 if value is None else value, entry.texts("when"))
+
+
+def _bits(entry: Entry) -> tuple[tuple[int, int], ...]:
+    """The bits that say whether something is sent; none where members say it."""
+    if "when" in entry.own:
+        return ()
+    pieces = bit_pieces(entry)
+    if "bits" in entry.own and pieces[0][0] == pieces[-1][1]:
+        entry.refuse("wrong_form", "bits", "`bits` is a single bit", f"write `bit: {pieces[0][0]}`")
+    return tuple(sorted(pieces))
 
 
 def _choice(entry: Entry, field: Entry) -> Choice:

@@ -155,25 +155,21 @@ static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length,
 /* ---- add ---- */
 
 /** Turns the bytes between `head` and `tail` bytes into those that are sent. */
-static inline device_codec_status device_ESCAPE(
-    uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
+static inline void device_ESCAPE(uint8_t *data, size_t length, size_t head, size_t tail)
 {
     size_t at;
-    (void)capacity;
-    for (at = head; at < *length - tail; at++) {
+    for (at = head; at < length - tail; at++) {
         data[at] = (uint8_t)((data[at] + INSERTED) & 0xFFu);
     }
-    return DEVICE_OK;
 }
 
 /** Turns the bytes between `head` and `tail` bytes back into the original ones. */
-static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length, size_t head, size_t tail)
+static inline void device_UNESCAPE(uint8_t *data, size_t length, size_t head, size_t tail)
 {
     size_t at;
-    for (at = head; at < *length - tail; at++) {
+    for (at = head; at < length - tail; at++) {
         data[at] = (uint8_t)((data[at] - INSERTED) & 0xFFu);
     }
-    return DEVICE_OK;
 }
 
 /* ---- cobs ---- */
@@ -251,12 +247,12 @@ static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length,
 
 /* ---- can ---- */
 
-/** Packs the first parts into the identifier of a CAN frame: the identifier, the number of data, zeros, the data.
- * The code of a remote request has a bit for that, and the number of data in place of data. */
+/** Packs the first parts into the identifier of a CAN frame: the identifier, the number of data, zeros, the data. */
+/* The code of a remote request has a bit for that, and the number of data in place of data. */ /* if REMOTE */
 static inline device_codec_status device_ESCAPE(
     uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
 {
-    static const uint8_t fields[ROWS][4] = {
+    static const uint8_t fields[ROWS][COLUMNS] = {
 FIELDS
     };
     uint32_t identifier = FLAGS, number;
@@ -266,18 +262,18 @@ FIELDS
         for (byte = 0; byte < fields[row][0]; byte++) {
             number |= (uint32_t)data[at + byte] << (8u * (fields[row][1] != 0u ? byte : fields[row][0] - 1u - byte));
         }
-        identifier |= row == REMOTE_ROW ? number & REMOTE : 0u;
-        number &= row == REMOTE_ROW ? ~REMOTE : number;
+        identifier |= number & ((uint32_t)fields[row][4] << 24u); /* if REMOTE */
+        number &= ~((uint32_t)fields[row][4] << 24u);             /* if REMOTE */
         if ((number >> fields[row][3]) != 0u) {
             return DEVICE_ERR_OUT_OF_RANGE;
         }
         identifier |= number << fields[row][2];
         at += fields[row][0];
     }
-    if ((identifier & REMOTE) != 0u) {
-        size = content == 1u ? data[at] : content;
-        content = 0;
-    }
+    if ((identifier & REMOTE) != 0u) {             /* if REMOTE */
+        size = content == 1u ? data[at] : content; /* if REMOTE */
+        content = 0;                               /* if REMOTE */
+    }                                              /* if REMOTE */
     if (size > 8u) {
         return DEVICE_ERR_WRONG_LENGTH;
     }
@@ -294,25 +290,26 @@ FIELDS
 /** Turns the identifier of a CAN frame back into the first parts. */
 static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length, size_t head, size_t tail)
 {
-    static const uint8_t fields[ROWS][4] = {
+    static const uint8_t fields[ROWS][COLUMNS] = {
 FIELDS
     };
-    uint32_t identifier, number, remote;
+    uint32_t identifier, number;
+    uint32_t remote; /* if REMOTE */
     size_t at = head, row, byte, size = *length - head - tail;
     uint8_t dlc;
     if (size < 8u || size > 16u) {
         return DEVICE_ERR_WRONG_MARK;
     }
     identifier = device_load_u32_be(data);
-    remote = identifier & REMOTE;
+    remote = identifier & REMOTE; /* if REMOTE */
     dlc = data[4];
-    if ((identifier & MASKED) != (FLAGS | remote) || dlc > 8u || size != (remote != 0u ? 8u : dlc + 8u)
+    if ((identifier & MASKED) != FLAGS || dlc > 8u || size != CONTENT + 8u
         || device_load_u32_be(data + 4u) != (uint32_t)dlc << 24u) {
         return DEVICE_ERR_WRONG_MARK;
     }
     for (row = 0; row < ROWS; row++) {
         number = (identifier >> fields[row][2]) & (((uint32_t)1u << fields[row][3]) - 1u);
-        number |= row == REMOTE_ROW ? remote : 0u;
+        number |= remote & ((uint32_t)fields[row][4] << 24u); /* if REMOTE */
         for (byte = 0; byte < fields[row][0]; byte++) {
             data[at + byte] =
                 (uint8_t)(number >> (8u * (fields[row][1] != 0u ? byte : fields[row][0] - 1u - byte)));
@@ -322,10 +319,10 @@ FIELDS
     for (byte = 8u; byte < size; byte++) {
         data[byte + SIZE - 8u] = data[byte];
     }
-    if (remote != 0u) {
-        data[at] = dlc;
-        size++;
-    }
+    if (remote != 0u) { /* if REMOTE */
+        data[at] = dlc; /* if REMOTE */
+        size++;         /* if REMOTE */
+    }                   /* if REMOTE */
     *length = size + SIZE - 8u;
     return DEVICE_OK;
 }

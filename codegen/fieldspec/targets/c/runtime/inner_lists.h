@@ -67,13 +67,17 @@ static inline size_t device_sent_size(const device_inner_list *lists, size_t cou
         at = list->first;
         if (list->follows != NULL) {
             size = device_first_element(list, fields);
+        } else if (list->decided_size != NULL) {
+            device_codec_status status = device_take_decided(list, fields, &size);
+            if (status != DEVICE_OK) {
+                return status == DEVICE_ERR_UNKNOWN_VALUE ? SIZE_MAX : 0u;
+            }
         } else {
-            size = list->decided_size != NULL ? list->decided_size(fields)
-                    : list->counts_sent ? device_measured_bytes(list, fields) : device_list_size(list, fields);
+            size = list->counts_sent ? device_measured_bytes(list, fields) : device_list_size(list, fields);
         }
         taken = size;
         if (size == SIZE_MAX) {
-            return list->decided_size != NULL ? SIZE_MAX : 0u;
+            return 0u;
         }
         if ((list->element_size != NULL || list->follows != NULL) && (!list->counts_sent || size <= left - from)) {
             device_codec_status status = list->counts_sent
@@ -98,6 +102,7 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
         const uint8_t *in, size_t length, uint8_t *image, size_t *image_length)
 {
     size_t index, at = 0, from = 0;
+    device_codec_status result = DEVICE_OK;
     *image_length = fixed;
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
@@ -112,12 +117,15 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
         if (list->follows != NULL) {
             size = device_first_element(list, image);
         } else if (list->decided_size != NULL) {
-            size = list->decided_size(image);
-            if (size == SIZE_MAX) {
-                return DEVICE_ERR_UNKNOWN_VALUE;
+            device_codec_status status = device_take_decided(list, image, &size);
+            if (status != DEVICE_OK) {
+                return status;
             }
             if (index + 1u == count && size < left) {
                 return DEVICE_ERR_WRONG_LENGTH;
+            }
+            for (taken = 0; taken < list->most; taken++) {
+                image[list->room + taken] = 0u;
             }
         } else if (list->counts_sent) {
             size_t measured = device_measured_bytes(list, image);
@@ -144,9 +152,6 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
             if (index + 1u == count && taken < left) {
                 return DEVICE_ERR_WRONG_LENGTH;
             }
-            if (list->counts_sent) {
-                device_store_list_number(list, image, size / list->element);
-            }
         } else if (list->bits != 0u) {
             size_t numbers = 8u * left / list->bits;
             if (size == SIZE_MAX) {
@@ -169,13 +174,22 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
                 return DEVICE_ERR_WRONG_LENGTH;
             }
             device_copy_bytes(image + list->room, in + from, size);
+            if (list->decided_size != NULL && device_decides_text(list, image) && device_text_bytes(in + from, size) != size) {
+                result = DEVICE_ERR_UNKNOWN_VALUE;
+            }
             taken = size;
+            if (index + 1u == count && list->decided_size == NULL && (size < list->least || size % list->element != 0u)) {
+                result = DEVICE_OK; /* the image refuses its wrong size */
+            }
+        }
+        if (list->counts_sent) {
+            device_store_list_number(list, image, list->decided_size != NULL ? 1u : size / list->element);
         }
         from += taken;
         *image_length = list->room + (list->decided_size != NULL && list->follows == NULL ? list->most : size);
     }
     device_copy_bytes(image + at, in + from, fixed - at);
-    return DEVICE_OK;
+    return result;
 }
 
 /**
@@ -188,6 +202,7 @@ static inline size_t device_place_list(const device_inner_list *list, const uint
     size_t from, to = 0;
     if (list->decided_size != NULL && list->follows == NULL) {
         size = list->decided_size(fields);
+        size = size < DEVICE_TEXT_OF ? size : device_text_bytes(image, size - DEVICE_TEXT_OF);
     }
     if (list->bits != 0u) {
         if (out != NULL) {

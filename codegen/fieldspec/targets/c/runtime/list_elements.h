@@ -6,6 +6,9 @@
  */
 typedef size_t (*device_element_size)(const uint8_t *in, size_t left);
 
+/** In a number of bytes: they are those of a text at most, which a number in the record counts. */
+#define DEVICE_TEXT_OF ((size_t)1 << (8u * sizeof(size_t) - 1u))
+
 /** The bytes of a field whose type another one decides, as an image says; SIZE_MAX where that decides nothing. */
 typedef size_t (*device_decided_size)(const uint8_t *in);
 
@@ -75,6 +78,30 @@ static inline size_t device_measured_bytes(const device_inner_list *list, const 
     return size < 0 || (unsigned long)size > list->most ? SIZE_MAX : (size_t)size;
 }
 
+/** Whether the type that another field decides is a text, whose bytes a number counts. */
+static inline bool device_decides_text(const device_inner_list *list, const uint8_t *fields)
+{
+    return list->decided_size(fields) >= DEVICE_TEXT_OF;
+}
+
+/** The sent bytes of a field whose type another one decides, as sent fields say. */
+static inline device_codec_status device_take_decided(const device_inner_list *list, const uint8_t *fields, size_t *size)
+{
+    size_t measured = device_measured_bytes(list, fields);
+    *size = list->decided_size(fields);
+    if (*size == SIZE_MAX) {
+        return DEVICE_ERR_UNKNOWN_VALUE;
+    }
+    if (!list->counts_sent) {
+        return DEVICE_OK;
+    }
+    if (device_decides_text(list, fields) ? measured > *size - DEVICE_TEXT_OF : measured != *size) {
+        return DEVICE_ERR_WRONG_MEASURE;
+    }
+    *size = measured;
+    return DEVICE_OK;
+}
+
 /** The elements of a list with a first one, in an image with room for at most some of them. */
 static inline size_t device_count_elements(device_follows follows, const uint8_t *image, size_t element, size_t most)
 {
@@ -118,6 +145,16 @@ static inline void device_copy_bytes(uint8_t *to, const uint8_t *from, size_t si
     for (at = 0; at < size; at++) {
         to[at] = from[at];
     }
+}
+
+/** The bytes of a text before the first zero. */
+static inline size_t device_text_bytes(const uint8_t *text, size_t most)
+{
+    size_t size = 0;
+    while (size < most && text[size] != 0u) {
+        size++;
+    }
+    return size;
 }
 
 /** The bytes that are sent for `size` bytes of the image of a list, of elements that do not differ in size. */

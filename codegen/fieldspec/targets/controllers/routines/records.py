@@ -163,7 +163,7 @@ def selecting(draft: Draft, selector: FieldLayout, source: Expression) -> Expres
     """The number that chooses a case, in a variable; numbers that its enum does not list are refused."""
     value = Wire.of_field(selector).value
     if not isinstance(source.type, EnumType):
-        return source
+        return source.converted(UNSIGNED[selector.size])
     kind = draft.world.raw_type(value.enum)
     number = draft.local(f"{PREFIXES[kind.name]}Selected", kind)
     call = draft.world.enum_to_raw(value.enum, source, number)

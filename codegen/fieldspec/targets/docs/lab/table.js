@@ -1,6 +1,7 @@
 // The explanation of a frame: its bytes, its fields, its registers, and what there is to say about them.
 
 const COLUMNS = ["At", "Bytes", "Field", "Label", "Raw", "Value", "Meaning", "Check", "Manual"];
+const CHARACTER_DIGITS = new Set(["decimal", "upper_hex", "lower_hex"]);
 const REGISTER_COLUMNS = ["Address", "Bytes", "Register", "Label", "Raw", "Value", "Meaning", "Check", "Manual"];
 
 class FrameTable {
@@ -97,7 +98,7 @@ class FrameTable {
     }));
   }
 
-  // How the command line prints raw values: codes, addresses and wire numbers of parameters in hexadecimal.
+  // How the command line prints raw values: codes, addresses and wire numbers of parameters in hexadecimal, but not characters.
   rawForms({ link, direction, message, error, rows }) {
     const { device } = this.lab;
     const { [direction]: frame } = device.links.get(link);
@@ -105,15 +106,16 @@ class FrameTable {
     const { access, [direction]: record } = device.messages.get(message) ?? {};
     const fields = error ? [] : record?.fields ?? [];
     const isHexadecimal = ({ name, value }) => {
-      if (value?.flags) return true;
+      if (!value || CHARACTER_DIGITS.has(value.digits)) return false;
+      if (value.flags || name === access?.start) return true;
       const row = rows.find(({ path }) => path === name);
-      if (value?.parameter?.part !== "number" || !isWhole(row?.number ?? "")) return false;
+      if (value.parameter?.part !== "number" || !isWhole(row?.number ?? "")) return false;
       const [own] = device.parameterAt(value.parameter.set, row.number) ?? [];
       return !own || Boolean(own.digits || own.base);
     };
     return {
       hidden: frame.checksums.map(({ name }) => name),
-      hexadecimal: [code?.name, access?.start, ...fields.filter(isHexadecimal).map(({ name }) => name)],
+      hexadecimal: [code?.name, ...fields.filter(isHexadecimal).map(({ name }) => name)],
     };
   }
 

@@ -1,7 +1,8 @@
 import { avoiding, crc16, crcOf, fletcherOf, followedBy, lrc, sum8, swapping, totalOf } from "../checksums.js";
 import { adding, canIdentifier, cobs, inserting, replacing } from "../escapes.js";
 import { py } from "./python.js";
-import { BYTE, LinkLayout, Message, RecordLayout, RegisterLayout, Table, WORD } from "./layouts.js";
+import { BYTE, Message, RecordLayout, RegisterLayout, Table, WORD } from "./layouts.js";
+import { LinkLayout } from "./links.js";
 import { ParameterSet } from "./parameter_sets.js";
 import { bytesOfHex, hexOf } from "./texts.js";
 

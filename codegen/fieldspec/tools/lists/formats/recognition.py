@@ -20,6 +20,10 @@ _YAML = re.compile(
 )
 
 
+_EXAMPLE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+"""An example in a document in Markdown."""
+
+
 def _yaml(text: str, node: str) -> tuple[Sheet, Listing] | None:
     _without_nodes(node)
     root = tree(esphome.substituted(text))
@@ -49,7 +53,7 @@ _SIGNS: tuple[tuple[re.Pattern[str], Reader], ...] = (
 
 def formatted_list(text: str, node: str) -> tuple[Sheet, Listing] | None:
     """The list in the format of another program; None for a table, and JSON of any other kind. Raises ListError."""
-    head = text[:_LOOKED_AT]
+    head = _EXAMPLE.sub("", text)[:_LOOKED_AT]
     for sign, reader in _SIGNS:
         if sign.search(head) and (result := reader(text, node)) is not None:
             return result
