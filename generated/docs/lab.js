@@ -951,7 +951,7 @@ function readAround(inner, read, bytes, offset, end) {
   }
 }
 
-function textBytes(image) {
+function sizeWithoutZeros(image) {
   let size = image.length;
   while (size > 0 && image[size - 1] === 0) size--;
   return size;
@@ -961,7 +961,7 @@ function sentOfImage({ fixed, lists }, image, last) {
   const fields = image.slice(0, fixed);
   const lengths = lists.map((list) => {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
-    if (decided < 0) return textBytes(image.subarray(list.room, list.room - decided));
+    if (decided < 0) return sizeWithoutZeros(image.subarray(list.room, list.room - decided));
     if (decided !== undefined || list === lists.at(-1)) return decided ?? last;
     return countedBytes(list, image) * (list.more ? elementsInImage(list, image, list.room) : 1);
   });
