@@ -633,7 +633,7 @@ const exactWhole = (number) => (Number.isSafeInteger(Number(number)) ? Number(nu
 
 function onBits(left, right, operation) {
   const isNarrow = left <= 0xffffffff && right <= 0xffffffff;
-  return isNarrow ? operation(left, right) >>> 0 : exactWhole(operation(BigInt(left), BigInt(right)));
+  return isNarrow ? operation(Number(left), Number(right)) >>> 0 : exactWhole(operation(BigInt(left), BigInt(right)));
 }
 
 const powerBeside = (number, exponent) => (typeof number === "bigint" ? 1n << BigInt(exponent) : 2 ** exponent);
@@ -1339,7 +1339,9 @@ function missingText(count, names) {
 const DIGITS = Array.from({ length: 256 }, (_, byte) => byte.toString(16).toUpperCase().padStart(2, "0"));
 
 function hexOf(bytes, separator = "") {
-  return Array.from(bytes, (byte) => DIGITS[byte]).join(separator);
+  let text = "";
+  for (const byte of bytes) text += (text && separator) + DIGITS[byte];
+  return text;
 }
 
 function bytesOfHex(digits) {
@@ -1347,7 +1349,9 @@ function bytesOfHex(digits) {
 }
 
 function latinOf(bytes) {
-  return Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+  let text = "";
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return text;
 }
 
 function sameBytes(left, right) {
@@ -1504,11 +1508,11 @@ const py = {
   slice: (series, start, stop) => (series instanceof Uint8Array ? series.subarray(start, stop) : series.slice(start, stop)),
   joined: (left, right) => Uint8Array.from([...left, ...right]),
   startswith: (bytes, start) => py.equal(py.slice(bytes, 0, start.length), start),
-  repeated: (series, count) => Array.from({ length: Math.max(0, count) }, () => series).flat(),
+  repeated: (series, count) => new Array(Math.max(0, count)).fill(series).flat(),
   format: sentence,
   repr: (value) => valueText(value),
   zip: (...series) => series[0].slice(0, Math.min(...series.map((own) => own.length))).map((_, place) => series.map((own) => own[place])),
-  replace: (value, more) => Object.assign(Object.create(Object.getPrototypeOf(value)), value, more),
+  replace: (value, more) => Object.setPrototypeOf({ ...value, ...more }, Object.getPrototypeOf(value)),
   object: (dictionary) => Object.fromEntries(dictionary.entries()),
   dict: (entries = []) => new Dictionary(Array.isArray(entries) ? entries : entries.entries()),
   isWhole,
@@ -2045,7 +2049,10 @@ class Message {
   }
 }
 
-const placedValue = (value) => ({ ...value, forWriting: () => forWriting(value), writeSwapped: (isSwapped) => isSwapped });
+function placedValue(value) {
+  let written;
+  return { ...value, forWriting: () => (written ??= forWriting(value)), writeSwapped: (isSwapped) => isSwapped };
+}
 
 class RegisterLayout {
   constructor(data) {
@@ -2481,7 +2488,29 @@ const [IDENTIFIER, DLC] = ["identifier", "DLC"];
 
 class ExplanationRow {
   constructor({ kind, offset, length, raw, characters = "", canPlace = "", path = "", fact = "", printedName = "", label = "", doc = "", number = null, value = "", meanings = [], verdict = "", reason = "", source = "", notes = [], errata = [], address = null, words = 0, unit = WORD, access = "" }) {
-    Object.assign(this, { kind, offset, length, raw, characters, canPlace, path, fact, printedName, label, doc, number, value, meanings, verdict, reason, source, notes, errata, address, words, unit, access });
+    this.kind = kind;
+    this.offset = offset;
+    this.length = length;
+    this.raw = raw;
+    this.characters = characters;
+    this.canPlace = canPlace;
+    this.path = path;
+    this.fact = fact;
+    this.printedName = printedName;
+    this.label = label;
+    this.doc = doc;
+    this.number = number;
+    this.value = value;
+    this.meanings = meanings;
+    this.verdict = verdict;
+    this.reason = reason;
+    this.source = source;
+    this.notes = notes;
+    this.errata = errata;
+    this.address = address;
+    this.words = words;
+    this.unit = unit;
+    this.access = access;
   }
 
   get at() {
@@ -2507,7 +2536,13 @@ class ExplanationRow {
 
 class Spot {
   constructor({ frame, start, width, places = [], originals = Uint8Array.of(), escape = null, gap = null }) {
-    Object.assign(this, { frame, start, width, places, originals, escape, gap });
+    this.frame = frame;
+    this.start = start;
+    this.width = width;
+    this.places = places;
+    this.originals = originals;
+    this.escape = escape;
+    this.gap = gap;
   }
 
   canPlace(position) {
@@ -2595,7 +2630,15 @@ const HEX = Uint8Array.of(48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 65, 66, 67, 68
 
 class Unwrapped {
   constructor({ link, marks, frame, start, data, surplus, reason, end, preamble = 0 }) {
-    Object.assign(this, { link, marks, frame, start, data, surplus, reason, end, preamble });
+    this.link = link;
+    this.marks = marks;
+    this.frame = frame;
+    this.start = start;
+    this.data = data;
+    this.surplus = surplus;
+    this.reason = reason;
+    this.end = end;
+    this.preamble = preamble;
   }
 
   get whole() {
@@ -2708,7 +2751,11 @@ function withPercentages(device, row, field, number) {
 
 class ParametersElement {
   constructor({ parameterSet, number, parameter, index, subindex }) {
-    Object.assign(this, { parameterSet, number, parameter, index, subindex });
+    this.parameterSet = parameterSet;
+    this.number = number;
+    this.parameter = parameter;
+    this.index = index;
+    this.subindex = subindex;
   }
 
   get meaning() {
@@ -2856,13 +2903,22 @@ function parametersReadAs(device, row, field, element, isRequest, size) {
 
 class Piece {
   constructor({ at, raw, content }) {
-    Object.assign(this, { at, raw, content });
+    this.at = at;
+    this.raw = raw;
+    this.content = content;
   }
 }
 
 class Span {
   constructor({ space, address, words, at, data, bits = null, unitSize = 2, digits = Uint8Array.of() }) {
-    Object.assign(this, { space, address, words, at, data, bits, unitSize, digits });
+    this.space = space;
+    this.address = address;
+    this.words = words;
+    this.at = at;
+    this.data = data;
+    this.bits = bits;
+    this.unitSize = unitSize;
+    this.digits = digits;
   }
 
   get end() {
@@ -2975,7 +3031,20 @@ function forbiddenText(operation, access) {
 
 class Occupant {
   constructor({ address, words, path, fact, outer, value, order, swapped, access, reserved, atomic = false, trigger = false, skip = 0, nested = null }) {
-    Object.assign(this, { address, words, path, fact, outer, value, order, swapped, access, reserved, atomic, trigger, skip, nested });
+    this.address = address;
+    this.words = words;
+    this.path = path;
+    this.fact = fact;
+    this.outer = outer;
+    this.value = value;
+    this.order = order;
+    this.swapped = swapped;
+    this.access = access;
+    this.reserved = reserved;
+    this.atomic = atomic;
+    this.trigger = trigger;
+    this.skip = skip;
+    this.nested = nested;
   }
 
   valueFor(operation) {
@@ -3292,7 +3361,8 @@ function* registersUnknownBases(layout, span, first, end) {
 
 class BodyTracedField {
   constructor({ name, rows }) {
-    Object.assign(this, { name, rows });
+    this.name = name;
+    this.rows = rows;
   }
 }
 
@@ -3612,7 +3682,16 @@ class Body {
 
 class Explanation {
   constructor({ link, direction, message, error, frame, rows, registerRows, values, errata = [], accessed = null }) {
-    Object.assign(this, { link, direction, message, error, frame, rows, registerRows, values, errata, accessed });
+    this.link = link;
+    this.direction = direction;
+    this.message = message;
+    this.error = error;
+    this.frame = frame;
+    this.rows = rows;
+    this.registerRows = registerRows;
+    this.values = values;
+    this.errata = errata;
+    this.accessed = accessed;
   }
 
   get registers() {
@@ -4021,16 +4100,24 @@ function placeText({ canPlace, path, byteText }) {
   return path ? `${path} ${canPlace === "identifier" ? "in" : "at"} ${byteText}` : byteText;
 }
 
-const emptied = (data) => Object.fromEntries(Object.entries(data).map(([key, value]) => [key, value === "" ? null : value]));
+const NAMES = { canPlace: "can_place", printedName: "printed_name", words: undefined, unit: undefined };
 
-function rowData({ raw, number, meanings, canPlace, printedName, words, unit, ...row }) {
-  return {
-    ...emptied({ ...row, can_place: canPlace, printed_name: printedName }),
-    raw: hexOf(raw),
-    number: portableValue(number),
-    meanings: meanings.map(emptied),
-    [unit === "byte" ? "size" : `${unit || "word"}s`]: words || null,
-  };
+function emptied(data, names = {}) {
+  const result = {};
+  for (const key in data) {
+    const name = key in names ? names[key] : key;
+    if (name) result[name] = data[key] === "" ? null : data[key];
+  }
+  return result;
+}
+
+function rowData(row) {
+  const data = emptied(row, NAMES);
+  data.raw = hexOf(row.raw);
+  data.number = portableValue(row.number);
+  data.meanings = row.meanings.map((meaning) => emptied(meaning));
+  data[row.unit === "byte" ? "size" : `${row.unit || "word"}s`] = row.words || null;
+  return data;
 }
 
 function readingData([link, direction, message, error]) {
@@ -4163,7 +4250,8 @@ const DIRECTIONS = ["request", "response"];
 
 class FrameOptions {
   constructor({ places = [], message = "" }) {
-    Object.assign(this, { places, message });
+    this.places = places;
+    this.message = message;
   }
 
   allows(reading) {
@@ -4182,13 +4270,17 @@ class FrameOptions {
 
 class OpenRequest {
   constructor({ request, sure }) {
-    Object.assign(this, { request, sure });
+    this.request = request;
+    this.sure = sure;
   }
 }
 
 class ChosenReading {
   constructor({ explanation, readings, chosen, mismatches = [] }) {
-    Object.assign(this, { explanation, readings, chosen, mismatches });
+    this.explanation = explanation;
+    this.readings = readings;
+    this.chosen = chosen;
+    this.mismatches = mismatches;
   }
 
   get wrong() {
@@ -4611,7 +4703,9 @@ const LINES_BEHIND = `\\s(?:${LINES_ENCLOSED}|\\|.{0,80}\\|)$`;
 
 class LogLine {
   constructor({ frame, direction = "", remarks = [] }) {
-    Object.assign(this, { frame, direction, remarks });
+    this.frame = frame;
+    this.direction = direction;
+    this.remarks = remarks;
   }
 }
 

@@ -14,7 +14,8 @@ import { py } from "./python.js";
 /** The result of reading the bytes of a field. */
 class BodyTracedField {
   constructor({ name, rows }) {
-    Object.assign(this, { name, rows });
+    this.name = name;
+    this.rows = rows;
   }
 }
 

@@ -15,7 +15,16 @@ import { py } from "./python.js";
  */
 export class Explanation {
   constructor({ link, direction, message, error, frame, rows, registerRows, values, errata = [], accessed = null }) {
-    Object.assign(this, { link, direction, message, error, frame, rows, registerRows, values, errata, accessed });
+    this.link = link;
+    this.direction = direction;
+    this.message = message;
+    this.error = error;
+    this.frame = frame;
+    this.rows = rows;
+    this.registerRows = registerRows;
+    this.values = values;
+    this.errata = errata;
+    this.accessed = accessed;
   }
 
   /** The rows of the registers. They are made on demand, because most readings of a frame are dropped. */

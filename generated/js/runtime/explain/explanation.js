@@ -24,18 +24,27 @@ export function placeText({ canPlace, path, byteText }) {
   return path ? `${path} ${canPlace === "identifier" ? "in" : "at"} ${byteText}` : byteText;
 }
 
-/** Data with null for empty texts. */
-const emptied = (data) => Object.fromEntries(Object.entries(data).map(([key, value]) => [key, value === "" ? null : value]));
+/** The names of what a row has where its data call it otherwise; `words` are named by their unit. */
+const NAMES = { canPlace: "can_place", printedName: "printed_name", words: undefined, unit: undefined };
+
+/** Data with null for empty texts, by other names; without what has none. */
+function emptied(data, names = {}) {
+  const result = {};
+  for (const key in data) {
+    const name = key in names ? names[key] : key;
+    if (name) result[name] = data[key] === "" ? null : data[key];
+  }
+  return result;
+}
 
 /** A row as data: what is empty is null, bytes are hexadecimal digits. */
-export function rowData({ raw, number, meanings, canPlace, printedName, words, unit, ...row }) {
-  return {
-    ...emptied({ ...row, can_place: canPlace, printed_name: printedName }),
-    raw: hexOf(raw),
-    number: portableValue(number),
-    meanings: meanings.map(emptied),
-    [unit === "byte" ? "size" : `${unit || "word"}s`]: words || null,
-  };
+export function rowData(row) {
+  const data = emptied(row, NAMES);
+  data.raw = hexOf(row.raw);
+  data.number = portableValue(row.number);
+  data.meanings = row.meanings.map((meaning) => emptied(meaning));
+  data[row.unit === "byte" ? "size" : `${row.unit || "word"}s`] = row.words || null;
+  return data;
 }
 
 /** Readings as data: link, direction, message and whether it is an exception response. */

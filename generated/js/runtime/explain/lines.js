@@ -164,7 +164,9 @@ const LINES_BEHIND = `\\s(?:${LINES_ENCLOSED}|\\|.{0,80}\\|)$`;
  */
 export class LogLine {
   constructor({ frame, direction = "", remarks = [] }) {
-    Object.assign(this, { frame, direction, remarks });
+    this.frame = frame;
+    this.direction = direction;
+    this.remarks = remarks;
   }
 }
 

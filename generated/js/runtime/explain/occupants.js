@@ -22,7 +22,20 @@ export function forbiddenText(operation, access) {
  */
 export class Occupant {
   constructor({ address, words, path, fact, outer, value, order, swapped, access, reserved, atomic = false, trigger = false, skip = 0, nested = null }) {
-    Object.assign(this, { address, words, path, fact, outer, value, order, swapped, access, reserved, atomic, trigger, skip, nested });
+    this.address = address;
+    this.words = words;
+    this.path = path;
+    this.fact = fact;
+    this.outer = outer;
+    this.value = value;
+    this.order = order;
+    this.swapped = swapped;
+    this.access = access;
+    this.reserved = reserved;
+    this.atomic = atomic;
+    this.trigger = trigger;
+    this.skip = skip;
+    this.nested = nested;
   }
 
   /** The value in a `read` or a `write`, which has a range of its own. */

@@ -11,7 +11,11 @@ import { py } from "./python.js";
 /** A parameter of a set, or one of its elements. `parameter` is None for a number that the spec does not list. */
 class ParametersElement {
   constructor({ parameterSet, number, parameter, index, subindex }) {
-    Object.assign(this, { parameterSet, number, parameter, index, subindex });
+    this.parameterSet = parameterSet;
+    this.number = number;
+    this.parameter = parameter;
+    this.index = index;
+    this.subindex = subindex;
   }
 
   /** Its name, or that of the set if the spec does not list the number, with the number as printed. */

@@ -14,7 +14,8 @@ export const DIRECTIONS = ["request", "response"];
 /** The options of the user about frames. `places` are links and directions; an empty option leaves all open. */
 export class FrameOptions {
   constructor({ places = [], message = "" }) {
-    Object.assign(this, { places, message });
+    this.places = places;
+    this.message = message;
   }
 
   /** Whether a reading agrees with the options. */
@@ -37,7 +38,8 @@ export class FrameOptions {
 /** The request that the next response answers. `sure` if the user has named it. */
 export class OpenRequest {
   constructor({ request, sure }) {
-    Object.assign(this, { request, sure });
+    this.request = request;
+    this.sure = sure;
   }
 }
 
@@ -51,7 +53,10 @@ export class OpenRequest {
  */
 export class ChosenReading {
   constructor({ explanation, readings, chosen, mismatches = [] }) {
-    Object.assign(this, { explanation, readings, chosen, mismatches });
+    this.explanation = explanation;
+    this.readings = readings;
+    this.chosen = chosen;
+    this.mismatches = mismatches;
   }
 
   /** Whether a codec refuses the frame, or a response does not fit its request. */

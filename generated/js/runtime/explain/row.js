@@ -27,7 +27,29 @@ export const [IDENTIFIER, DLC] = ["identifier", "DLC"];
  */
 export class ExplanationRow {
   constructor({ kind, offset, length, raw, characters = "", canPlace = "", path = "", fact = "", printedName = "", label = "", doc = "", number = null, value = "", meanings = [], verdict = "", reason = "", source = "", notes = [], errata = [], address = null, words = 0, unit = WORD, access = "" }) {
-    Object.assign(this, { kind, offset, length, raw, characters, canPlace, path, fact, printedName, label, doc, number, value, meanings, verdict, reason, source, notes, errata, address, words, unit, access });
+    this.kind = kind;
+    this.offset = offset;
+    this.length = length;
+    this.raw = raw;
+    this.characters = characters;
+    this.canPlace = canPlace;
+    this.path = path;
+    this.fact = fact;
+    this.printedName = printedName;
+    this.label = label;
+    this.doc = doc;
+    this.number = number;
+    this.value = value;
+    this.meanings = meanings;
+    this.verdict = verdict;
+    this.reason = reason;
+    this.source = source;
+    this.notes = notes;
+    this.errata = errata;
+    this.address = address;
+    this.words = words;
+    this.unit = unit;
+    this.access = access;
   }
 
   /** Where its bytes begin, as people count: in a CAN frame from the first byte of the data. */
@@ -63,7 +85,13 @@ export class ExplanationRow {
  */
 export class Spot {
   constructor({ frame, start, width, places = [], originals = Uint8Array.of(), escape = null, gap = null }) {
-    Object.assign(this, { frame, start, width, places, originals, escape, gap });
+    this.frame = frame;
+    this.start = start;
+    this.width = width;
+    this.places = places;
+    this.originals = originals;
+    this.escape = escape;
+    this.gap = gap;
   }
 
   /** Where the byte at `position` of the parts is in a CAN frame; empty in others, and where it is unreadable. */
@@ -172,7 +200,15 @@ export const HEX = Uint8Array.of(48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 65, 66,
  */
 export class Unwrapped {
   constructor({ link, marks, frame, start, data, surplus, reason, end, preamble = 0 }) {
-    Object.assign(this, { link, marks, frame, start, data, surplus, reason, end, preamble });
+    this.link = link;
+    this.marks = marks;
+    this.frame = frame;
+    this.start = start;
+    this.data = data;
+    this.surplus = surplus;
+    this.reason = reason;
+    this.end = end;
+    this.preamble = preamble;
   }
 
   /** Whether the parts can be read up to the end of the frame. */

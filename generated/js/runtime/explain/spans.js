@@ -10,7 +10,9 @@ import { py } from "./python.js";
  */
 export class Piece {
   constructor({ at, raw, content }) {
-    Object.assign(this, { at, raw, content });
+    this.at = at;
+    this.raw = raw;
+    this.content = content;
   }
 }
 
@@ -24,7 +26,14 @@ export class Piece {
  */
 export class Span {
   constructor({ space, address, words, at, data, bits = null, unitSize = 2, digits = Uint8Array.of() }) {
-    Object.assign(this, { space, address, words, at, data, bits, unitSize, digits });
+    this.space = space;
+    this.address = address;
+    this.words = words;
+    this.at = at;
+    this.data = data;
+    this.bits = bits;
+    this.unitSize = unitSize;
+    this.digits = digits;
   }
 
   /** The address after the last word. */

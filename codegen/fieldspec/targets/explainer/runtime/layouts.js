@@ -140,7 +140,10 @@ export class Message {
 }
 
 /** A value of a device, which knows the places of its bytes. */
-const placedValue = (value) => ({ ...value, forWriting: () => forWriting(value), writeSwapped: (isSwapped) => isSwapped });
+function placedValue(value) {
+  let written;
+  return { ...value, forWriting: () => (written ??= forWriting(value)), writeSwapped: (isSwapped) => isSwapped };
+}
 
 /** Registers that are alike. */
 export class RegisterLayout {

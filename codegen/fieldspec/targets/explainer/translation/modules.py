@@ -20,7 +20,8 @@ TRANSLATED = (
 """The modules of `codec/explain` that are translated."""
 
 RUNTIME_MODULES = (
-    "texts", "python", "interpreter", "links", "layouts", "device", "values", "percentages", "parameter_sets", "explanation",
+    "texts", "python", "interpreter", "links", "layouts", "device", "values", "percentages", "parameter_sets",
+    "explanation",
 )  # fmt: skip
 """The modules of the runtime that translated ones import from."""
 

@@ -248,17 +248,14 @@ class Statements:
         yield "}"
 
     def _fields(self, node: ast.ClassDef) -> list[str]:
-        fields = [own for own in node.body if isinstance(own, ast.AnnAssign) and isinstance(own.target, ast.Name)]
-        parameters = []
-        for own in fields:
-            assert isinstance(own.target, ast.Name)
-            has_default = own.value is not None and not isinstance(own.value, ast.Call)
-            parameters.append(
-                camel(own.target.id) + (f" = {self.text(own.value)}" if has_default and own.value else "")
-            )
-        names = ", ".join(camel(own.target.id) for own in fields if isinstance(own.target, ast.Name))
-        inner = ", ".join(parameters)
-        return [f"constructor({{ {inner} }}) {{", f"  Object.assign(this, {{ {names} }});", "}", ""]
+        parameters = {}
+        for own in node.body:
+            if isinstance(own, ast.AnnAssign):
+                has_default = own.value is not None and not isinstance(own.value, ast.Call)
+                name = self.text(own.target)
+                parameters[name] = f"{name} = {self.text(own.value)}" if has_default and own.value else name
+        assignments = [f"  this.{name} = {name};" for name in parameters]
+        return [f"constructor({{ {', '.join(parameters.values())} }}) {{", *assignments, "}", ""]
 
     def _method(self, node: ast.FunctionDef) -> Iterator[str]:
         is_property = any(isinstance(own, ast.Name) and own.id == "property" for own in node.decorator_list)
