@@ -226,7 +226,7 @@ class Bus:
         self.send(MODULE.sdo, MODULE.sdo.encode_request(NODE, request))
         return MODULE.sdo.decode_response(self.receive(MODULE.sdo), request)
 
-    def read_frame(self, entry: Any, subindex: int = 0) -> Any:
+    def read(self, entry: Any, subindex: int = 0) -> Any:
         """The value of an object of the node."""
         answer = self.ask(OBJECTS.read_request(entry, subindex=subindex)).message
         return OBJECTS.read_value(entry, answer, subindex)

@@ -31,7 +31,7 @@ class Line:
     def write(self, data: bytes) -> None:
         self.sent = True
 
-    def read_frame(self, timeout: float) -> bytes:
+    def read(self, timeout: float) -> bytes:
         return self.frame if self.sent else b""
 
     def close(self) -> None:

@@ -1507,13 +1507,12 @@ const py = {
   put: (dictionary, key, value) => dictionary.set(key, value),
   slice: (series, start, stop) => (series instanceof Uint8Array ? series.subarray(start, stop) : series.slice(start, stop)),
   joined: (left, right) => Uint8Array.from([...left, ...right]),
-  startswith: (bytes, start) => py.equal(py.slice(bytes, 0, start.length), start),
+  startswith: (series, start) => py.equal(py.slice(series, 0, start.length), start),
   repeated: (series, count) => new Array(Math.max(0, count)).fill(series).flat(),
   format: sentence,
   repr: (value) => valueText(value),
   zip: (...series) => series[0].slice(0, Math.min(...series.map((own) => own.length))).map((_, place) => series.map((own) => own[place])),
   replace: (value, more) => Object.setPrototypeOf({ ...value, ...more }, Object.getPrototypeOf(value)),
-  object: (dictionary) => Object.fromEntries(dictionary.entries()),
   dict: (entries = []) => new Dictionary(Array.isArray(entries) ? entries : entries.entries()),
   isWhole,
   isList: Array.isArray,
@@ -1552,7 +1551,7 @@ const py = {
   count: (text, part) => text.split(part).length - 1,
   decode: latinOf,
   encode: (text) => Uint8Array.from([...text], (character) => (character.codePointAt(0) > 255 ? 0x3f : character.charCodeAt(0))),
-  endswith: (bytes, end) => typeof bytes === "string" ? bytes.endsWith(end) : bytes.length >= end.length && py.equal(py.slice(bytes, bytes.length - end.length), end),
+  endswith: (series, end) => py.equal(py.slice(series, Math.max(0, series.length - end.length)), end),
   groups: (match) => match.slice(1),
   hex: (bytes, separator) => hexOf(bytes, separator).toLowerCase(),
   bytesOfHex: (text) => {
@@ -1677,7 +1676,8 @@ function runElements(device, field, data, start, sizes, path, rows, beside) {
     if (record) return run(device, record, field.parts, data, offset, stop, `${own}.`, rows);
     const [first, last] = field.packing ? packedPlace(field.packing, index).map((at) => start + at) : [offset, stop];
     const variable = { field, value: field.value, exponent: field.exponent };
-    const row = { ...loaded(field, data.subarray(first, last), index), variable, path: own, index, offset: first, rowsBeside: beside };
+    const { raw, image, content, number } = loaded(field, data.subarray(first, last), index);
+    const row = { field, raw, image, content, number, variable, path: own, index, offset: first, rowsBeside: beside };
     if (index * (field.packing?.bits ?? 0) % 8) {  // the row of the number before it has the byte that both share
       row.raw = row.raw.subarray(1);
       row.offset++;
@@ -2311,8 +2311,9 @@ function rangeInUnit(value, ranges) {
 }
 
 class DecodedValue {
-  constructor(number, more = {}) {
-    Object.assign(this, { number, text: "", meanings: [], verdict: "", reason: "", notes: [], facts: [] }, more);
+  constructor(number, { text = "", meanings = [], verdict = "", reason = "", notes = [], facts = [] } = {}) {
+    [this.number, this.text, this.meanings, this.verdict, this.reason] = [number, text, meanings, verdict, reason];
+    [this.notes, this.facts] = [notes, facts];
   }
 
   judged(isRight, expected, reason) {
@@ -2522,7 +2523,7 @@ class ExplanationRow {
       return this.characters;
     }
     const number = py.int(py.slice(this.characters.replaceAll(" ", ""), undefined, 8), 16);
-    const identifier = py.without(number, py.union(CAN_EXTENDED, CAN_REMOTE));
+    const identifier = py.without(py.without(number, CAN_EXTENDED), CAN_REMOTE);
     return py.truth(py.common(number, CAN_EXTENDED)) ? `${py.hexadecimal(identifier, "08X")}` : `${py.hexadecimal(identifier, "03X")}`;
   }
 
@@ -4361,10 +4362,11 @@ function readingsDoubts(layout, reading, mark, examples) {
   const [link, direction, message, error] = reading;
   const guessed = !py.truth(error) && py.item(layout.links, link).isGuessed(direction, message);
   const loose = guessed && py.truth(message) && py.item(layout.messages, message).data(direction).size == null;
-  return [Boolean(mark) && direction !== mark, !py.has(examples, reading), guessed, loose];
+  return [py.truth(mark) && direction !== mark, !py.has(examples, reading), guessed, loose];
 }
 
 function readingsClosest(layout, frame, options, mark) {
+  let reading;
   const namedReadings = [...closest(layout, frame)].map((reading) => readingsNamedByOption(layout, frame, reading, options));
   let candidates = [...namedReadings].filter((reading) => options.allows(reading));
   if (!py.truth(candidates)) {
@@ -4374,16 +4376,17 @@ function readingsClosest(layout, frame, options, mark) {
     candidates = [...py.either(sending, () => places)].map(([link, direction]) => [link, direction, options.message, false]);
   }
   const examples = readingsExamples(layout, frame);
-  const faults = (reading) => {
-    const explanation = readingsExplained(layout, frame, reading);
-    const marks = py.sum([...explanation.reasons].map((reason) => py.has(["wrong_mark", "not_hex"], reason)));
-    return [marks, readingsDoubts(layout, reading, mark, examples), explanation.reasons.length];
-  };
+  reading = py.min(candidates, (own) => readingsFaults(layout, frame, own, readingsDoubts(layout, own, mark, examples)));
   return new ChosenReading({
-    explanation: readingsExplained(layout, frame, py.min(candidates, faults)),
+    explanation: readingsExplained(layout, frame, reading),
     readings: [],
     chosen: "closest",
   });
+}
+
+function readingsFaults(layout, frame, reading, doubts) {
+  const reasons = readingsExplained(layout, frame, reading).reasons;
+  return [py.sum([...reasons].map((reason) => py.has(["wrong_mark", "not_hex"], reason))), doubts, reasons.length];
 }
 
 function readingsAnswer(layout, frame, openRequest) {
@@ -4426,7 +4429,7 @@ function* readingsMismatches(layout, request, response) {
     }
   }
   for (const row of response.rows) {
-    if (row.verdict.startsWith("wrong") && !row.reason) {
+    if (py.startswith(row.verdict, "wrong") && !row.reason) {
       yield py.format(SENTENCES.PART_NOT_REPEATED, { path: row.path, fault: faultOf(row.verdict) });
     }
   }
@@ -4514,21 +4517,26 @@ function readingsAsks(layout, link) {
 }
 
 function readingsReadingsText(layout, own, link, direction, error, messages) {
-  let sentence;
   const isSingle = messages.length === 1;
   const name = py.item(layout.links, link).link.directionName(direction);
-  const parts = py.dict([["message", messages[0]], ["count", messages.length], ["names", py.join(", ", messages.length <= READINGS_NAMED ? messages : [...py.slice(messages, undefined, READINGS_NAMED), ".."])], ["direction", name], ["place", link === own.link ? "" : py.format(SENTENCES.ON_LINK, { link })]]);
+  let sentence = isSingle ? SENTENCES.READING : SENTENCES.READINGS;
   if (!py.has(DIRECTIONS, name) && !error) {
     sentence = isSingle ? SENTENCES.NAMED_MESSAGE : SENTENCES.NAMED_MESSAGES;
-    return py.format(sentence, { ...py.object(parts) });
   }
   let kind = error ? "exception response" : direction;
   let joint = kind !== "response" ? "of" : "to";
   if (kind === "response" && [...messages].every((message) => !py.item(layout.messages, message).message.isRequested)) {
     [kind, joint] = ["frame", "of"];
   }
-  sentence = isSingle ? SENTENCES.READING : SENTENCES.READINGS;
-  return py.format(sentence, { kind, joint, ...py.object(parts) });
+  return py.format(sentence, {
+    message: messages[0],
+    count: messages.length,
+    names: py.join(", ", messages.length <= READINGS_NAMED ? messages : [...py.slice(messages, undefined, READINGS_NAMED), ".."]),
+    direction: name,
+    place: link === own.link ? "" : py.format(SENTENCES.ON_LINK, { link }),
+    kind,
+    joint,
+  });
 }
 
 function readingsMessageText(link, direction, message) {
@@ -4631,7 +4639,7 @@ function inCharacters(text, links) {
   text = py.lstrip(unquoted(text));
   for (const link of links) {
     for (const [direction, mark] of link.openings.entries()) {
-      if (text.startsWith(mark)) {
+      if (py.startswith(text, mark)) {
         let [body, ending] = linesEnded(text);
         if (link.transmission === "hex_ascii") {
           body = py.join("", py.split(body));

@@ -102,6 +102,7 @@ REFUSED = {
     "return f'{number:>8}'": "form of a text",
     "return unknown": "unknown",
     "global f": "Global",
+    "number += [1]": "AugAssign",
     "return text.title()": "title",
     "return number @ text": "BinOp",
 }
@@ -150,3 +151,9 @@ def test_a_construct_without_a_translation_is_refused_by_its_line(statement: str
     with pytest.raises(Untranslatable, match=r"sample\.py:2: ") as refused:
         translated(f"def f(number: int, text: str) -> object:\n    {statement}\n")
     assert REFUSED[statement] in str(refused.value)
+
+
+def test_translated_modules_call_what_the_module_of_python_has() -> None:
+    modules = "".join(map(module_text, RUNTIME))
+    own = set(re.findall(r"^  (\w+)(?::|,$)", module_text("python"), re.MULTILINE))
+    assert set(re.findall(r"\bpy\.(\w+)", modules)) <= own

@@ -63,7 +63,7 @@ def bytes_of(text: str) -> bytes:
             raise Unreadable(sentences.ODD_DIGITS.format(piece=piece))
         if len(piece) == 1 and is_padded:
             raise Unreadable(sentences.SINGLE_DIGIT.format(offset=len(data), piece=piece))
-        data += bytes.fromhex(digits.zfill(2))
+        data = data + bytes.fromhex(digits.zfill(2))
     if not data:
         raise Unreadable(sentences.NO_BYTES)
     return data

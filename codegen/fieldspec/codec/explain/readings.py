@@ -182,13 +182,14 @@ def _closest(layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: st
         candidates = [(link, direction, options.message, False) for link, direction in sending or places]
 
     examples = _examples(layout, frame)
+    reading = min(candidates, key=lambda own: _faults(layout, frame, own, _doubts(layout, own, mark, examples)))
+    return ChosenReading(_explained(layout, frame, reading), (), "closest")
 
-    def faults(reading: Reading) -> tuple[object, ...]:
-        explanation = _explained(layout, frame, reading)
-        marks = sum(reason in ("wrong_mark", "not_hex") for reason in explanation.reasons)
-        return marks, _doubts(layout, reading, mark, examples), len(explanation.reasons)
 
-    return ChosenReading(_explained(layout, frame, min(candidates, key=faults)), (), "closest")
+def _faults(layout: DeviceLayout, frame: bytes, reading: Reading, doubts: tuple[object, ...]) -> tuple[object, ...]:
+    """What makes a reading of a wrong frame less close than others."""
+    reasons = _explained(layout, frame, reading).reasons
+    return sum(reason in ("wrong_mark", "not_hex") for reason in reasons), doubts, len(reasons)
 
 
 def _answer(layout: DeviceLayout, frame: bytes, open_request: OpenRequest) -> ChosenReading:
@@ -326,22 +327,22 @@ def _readings_text(
     """Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`."""
     is_single = len(messages) == 1
     name = layout.links[link].link.direction_name(direction)
-    parts = {
-        "message": messages[0],
-        "count": len(messages),
-        "names": ", ".join(messages if len(messages) <= _NAMED else [*messages[:_NAMED], ".."]),
-        "direction": name,
-        "place": "" if link == own.link else sentences.ON_LINK.format(link=link),
-    }
+    sentence = sentences.READING if is_single else sentences.READINGS
     if name not in DIRECTIONS and not error:
         sentence = sentences.NAMED_MESSAGE if is_single else sentences.NAMED_MESSAGES
-        return sentence.format(**parts)
     kind = "exception response" if error else direction
     joint = "of" if kind != "response" else "to"
     if kind == "response" and all(not layout.messages[message].message.is_requested for message in messages):
         kind, joint = "frame", "of"  # it answers nothing
-    sentence = sentences.READING if is_single else sentences.READINGS
-    return sentence.format(kind=kind, joint=joint, **parts)
+    return sentence.format(
+        message=messages[0],
+        count=len(messages),
+        names=", ".join(messages if len(messages) <= _NAMED else [*messages[:_NAMED], ".."]),
+        direction=name,
+        place="" if link == own.link else sentences.ON_LINK.format(link=link),
+        kind=kind,
+        joint=joint,
+    )
 
 
 def _message_text(link: Link, direction: str, message: str) -> str:

@@ -71,7 +71,7 @@ class ExplanationRow:
         if self.can_place != IDENTIFIER or not self.characters:
             return self.characters
         number = int(self.characters.replace(" ", "")[:8], 16)
-        identifier = number & ~(CAN_EXTENDED | CAN_REMOTE)
+        identifier = number & ~CAN_EXTENDED & ~CAN_REMOTE
         return f"{identifier:08X}" if number & CAN_EXTENDED else f"{identifier:03X}"
 
     @property

@@ -130,7 +130,8 @@ function runElements(device, field, data, start, sizes, path, rows, beside) {
     if (record) return run(device, record, field.parts, data, offset, stop, `${own}.`, rows);
     const [first, last] = field.packing ? packedPlace(field.packing, index).map((at) => start + at) : [offset, stop];
     const variable = { field, value: field.value, exponent: field.exponent };
-    const row = { ...loaded(field, data.subarray(first, last), index), variable, path: own, index, offset: first, rowsBeside: beside };
+    const { raw, image, content, number } = loaded(field, data.subarray(first, last), index);
+    const row = { field, raw, image, content, number, variable, path: own, index, offset: first, rowsBeside: beside };
     if (index * (field.packing?.bits ?? 0) % 8) {  // the row of the number before it has the byte that both share
       row.raw = row.raw.subarray(1);
       row.offset++;

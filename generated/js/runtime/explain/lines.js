@@ -84,7 +84,7 @@ export function inCharacters(text, links) {
   text = py.lstrip(unquoted(text));
   for (const link of links) {
     for (const [direction, mark] of link.openings.entries()) {
-      if (text.startsWith(mark)) {
+      if (py.startswith(text, mark)) {
         let [body, ending] = linesEnded(text);
         if (link.transmission === "hex_ascii") {
           body = py.join("", py.split(body));

@@ -154,11 +154,12 @@ function readingsDoubts(layout, reading, mark, examples) {
   const [link, direction, message, error] = reading;
   const guessed = !py.truth(error) && py.item(layout.links, link).isGuessed(direction, message);
   const loose = guessed && py.truth(message) && py.item(layout.messages, message).data(direction).size == null;
-  return [Boolean(mark) && direction !== mark, !py.has(examples, reading), guessed, loose];
+  return [py.truth(mark) && direction !== mark, !py.has(examples, reading), guessed, loose];
 }
 
 /** The reading with the fewest faults. */
 function readingsClosest(layout, frame, options, mark) {
+  let reading;
   const namedReadings = [...closest(layout, frame)].map((reading) => readingsNamedByOption(layout, frame, reading, options));
   let candidates = [...namedReadings].filter((reading) => options.allows(reading));
   if (!py.truth(candidates)) {
@@ -168,16 +169,18 @@ function readingsClosest(layout, frame, options, mark) {
     candidates = [...py.either(sending, () => places)].map(([link, direction]) => [link, direction, options.message, false]);
   }
   const examples = readingsExamples(layout, frame);
-  const faults = (reading) => {
-    const explanation = readingsExplained(layout, frame, reading);
-    const marks = py.sum([...explanation.reasons].map((reason) => py.has(["wrong_mark", "not_hex"], reason)));
-    return [marks, readingsDoubts(layout, reading, mark, examples), explanation.reasons.length];
-  };
+  reading = py.min(candidates, (own) => readingsFaults(layout, frame, own, readingsDoubts(layout, own, mark, examples)));
   return new ChosenReading({
-    explanation: readingsExplained(layout, frame, py.min(candidates, faults)),
+    explanation: readingsExplained(layout, frame, reading),
     readings: [],
     chosen: "closest",
   });
+}
+
+/** What makes a reading of a wrong frame less close than others. */
+function readingsFaults(layout, frame, reading, doubts) {
+  const reasons = readingsExplained(layout, frame, reading).reasons;
+  return [py.sum([...reasons].map((reason) => py.has(["wrong_mark", "not_hex"], reason))), doubts, reasons.length];
 }
 
 /** The explanation of a frame as the response to a request. */
@@ -222,7 +225,7 @@ function* readingsMismatches(layout, request, response) {
     }
   }
   for (const row of response.rows) {
-    if (row.verdict.startsWith("wrong") && !row.reason) {
+    if (py.startswith(row.verdict, "wrong") && !row.reason) {
       yield py.format(SENTENCES.PART_NOT_REPEATED, { path: row.path, fault: faultOf(row.verdict) });
     }
   }
@@ -318,21 +321,26 @@ function readingsAsks(layout, link) {
 
 /** Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`. */
 function readingsReadingsText(layout, own, link, direction, error, messages) {
-  let sentence;
   const isSingle = messages.length === 1;
   const name = py.item(layout.links, link).link.directionName(direction);
-  const parts = py.dict([["message", messages[0]], ["count", messages.length], ["names", py.join(", ", messages.length <= READINGS_NAMED ? messages : [...py.slice(messages, undefined, READINGS_NAMED), ".."])], ["direction", name], ["place", link === own.link ? "" : py.format(SENTENCES.ON_LINK, { link })]]);
+  let sentence = isSingle ? SENTENCES.READING : SENTENCES.READINGS;
   if (!py.has(DIRECTIONS, name) && !error) {
     sentence = isSingle ? SENTENCES.NAMED_MESSAGE : SENTENCES.NAMED_MESSAGES;
-    return py.format(sentence, { ...py.object(parts) });
   }
   let kind = error ? "exception response" : direction;
   let joint = kind !== "response" ? "of" : "to";
   if (kind === "response" && [...messages].every((message) => !py.item(layout.messages, message).message.isRequested)) {
     [kind, joint] = ["frame", "of"];
   }
-  sentence = isSingle ? SENTENCES.READING : SENTENCES.READINGS;
-  return py.format(sentence, { kind, joint, ...py.object(parts) });
+  return py.format(sentence, {
+    message: messages[0],
+    count: messages.length,
+    names: py.join(", ", messages.length <= READINGS_NAMED ? messages : [...py.slice(messages, undefined, READINGS_NAMED), ".."]),
+    direction: name,
+    place: link === own.link ? "" : py.format(SENTENCES.ON_LINK, { link }),
+    kind,
+    joint,
+  });
 }
 
 /** A message with its direction, as remarks name it: `telegram_3 sent` */

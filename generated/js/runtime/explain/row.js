@@ -63,7 +63,7 @@ export class ExplanationRow {
       return this.characters;
     }
     const number = py.int(py.slice(this.characters.replaceAll(" ", ""), undefined, 8), 16);
-    const identifier = py.without(number, py.union(CAN_EXTENDED, CAN_REMOTE));
+    const identifier = py.without(py.without(number, CAN_EXTENDED), CAN_REMOTE);
     return py.truth(py.common(number, CAN_EXTENDED)) ? `${py.hexadecimal(identifier, "08X")}` : `${py.hexadecimal(identifier, "03X")}`;
   }
 

@@ -62,8 +62,9 @@ function rangeInUnit(value, ranges) {
 
 /** A decoded value: its raw value, its quantity, its names, and its verdict with the reason of a fault. */
 export class DecodedValue {
-  constructor(number, more = {}) {
-    Object.assign(this, { number, text: "", meanings: [], verdict: "", reason: "", notes: [], facts: [] }, more);
+  constructor(number, { text = "", meanings = [], verdict = "", reason = "", notes = [], facts = [] } = {}) {
+    [this.number, this.text, this.meanings, this.verdict, this.reason] = [number, text, meanings, verdict, reason];
+    [this.notes, this.facts] = [notes, facts];
   }
 
   /** The same value with a verdict: right, or wrong with what it should be. */

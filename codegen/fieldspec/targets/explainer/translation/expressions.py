@@ -196,8 +196,6 @@ class Expressions:
                 return f"py.without({self.text(node.left)}, {self.text(node.right.operand)})"
             case ast.BitAnd():
                 return f"py.common({self.text(node.left)}, {self.text(node.right)})"
-            case ast.BitOr():
-                return f"py.union({self.text(node.left)}, {self.text(node.right)})"
             case ast.Mult() if isinstance(node.left, ast.List):
                 return f"py.repeated({self.text(node.left)}, {self.text(node.right)})"
         left, right = self._operand(node.left), self._operand(node.right)
@@ -311,11 +309,7 @@ class Expressions:
     def _builtin(self, node: ast.Call, name: str) -> str:
         values = [self.text(argument) for argument in node.args]
         if name == "bool" and len(node.args) == 1:
-            return (
-                f"Boolean({self.text(node.args[0])})"
-                if self.types.of(node.args[0]) in SAME
-                else f"py.truth({values[0]})"
-            )
+            return f"py.truth({values[0]})"
         if name in ("any", "all") and isinstance(node.args[0], ast.GeneratorExp) and len(node.args[0].generators) == 1:
             text, parameter = self._filtered(node.args[0].generators[0])
             return f"{text}.{'some' if name == 'any' else 'every'}(({parameter}) => {self.test(node.args[0].elt)})"
@@ -344,12 +338,10 @@ class Expressions:
     def _object(self, keywords: Sequence[ast.keyword]) -> str:
         items = []
         for keyword in keywords:
-            value = self.text(keyword.value)
             if keyword.arg is None:
-                items.append(f"...py.object({value})")
-            else:
-                key = camel(keyword.arg)
-                items.append(key if key == value else f"{key}: {value}")
+                raise self.refuse(keyword, "the fields of an object need their names")
+            key, value = camel(keyword.arg), self.text(keyword.value)
+            items.append(key if key == value else f"{key}: {value}")
         if sum(map(len, items)) > _WIDEST:
             inner = "".join(f"  {item},\n" for item in items)
             return f"{{\n{inner}}}"
@@ -375,8 +367,6 @@ class Expressions:
         owner = self._operand(function.value)
         if name == "format":
             return f"py.format({self.text(function.value)}, {self._object(node.keywords)})"
-        if name == "startswith" and self.types.of(function.value) == "bytes":
-            return f"py.startswith({owner}, {self.text(node.args[0])})"
         if name == "get" and len(node.args) == 2:
             return f"({owner}.get({self.text(node.args[0])}) ?? {self.text(node.args[1])})"
         if name in METHODS:

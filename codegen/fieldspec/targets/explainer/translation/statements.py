@@ -56,8 +56,7 @@ class Statements:
     def _function(self, node: ast.FunctionDef, export: str, keyword: str) -> Iterator[str]:
         outer_types, outer_declared = self.expressions.types.local, self.declared
         arguments = [argument for argument in [*node.args.args, *node.args.kwonlyargs] if argument.arg != "self"]
-        self.expressions.types.local = {**outer_types} if keyword == "const " else {}
-        self.expressions.types.local |= {
+        self.expressions.types.local = {
             argument.arg: ast.unparse(argument.annotation) if argument.annotation is not None else ""
             for argument in arguments
         }
@@ -117,8 +116,8 @@ class Statements:
                 if isinstance(node.target, ast.Name):
                     self.expressions.types.local[node.target.id] = ast.unparse(node.annotation)
                 yield from self._assignment(node.target, self.text(value))
-            case ast.AugAssign():
-                yield from self._augmented(node)
+            case ast.AugAssign(op=ast.Add(), target=ast.Name(id=name)) if self._is_sum(name, node.value):
+                yield f"{camel(name)} += {self.text(node.value)};"
             case ast.If():
                 yield from self._conditional(node, "")
             case ast.For(orelse=[]):
@@ -133,8 +132,6 @@ class Statements:
                 yield from self._try(node, handler)
             case ast.Raise():
                 yield f"throw {self.text(node.exc) if node.exc is not None else 'error'};"
-            case ast.FunctionDef():
-                yield from self._inner_function(node)
             case ast.Match():
                 yield from self._match(node)
             case ast.Continue():
@@ -143,13 +140,6 @@ class Statements:
                 return
             case _:
                 raise self.refuse(node)
-
-    def _inner_function(self, node: ast.FunctionDef) -> Iterator[str]:
-        lines = list(self._function(node, "", "const "))
-        head = next(number for number, line in enumerate(lines) if line.startswith("const "))
-        lines[head] = re.sub(r"^const (\w+)\((.*)\) \{$", r"const \1 = (\2) => {", lines[head])
-        yield from lines[:-1]
-        yield "};"
 
     def _scoped(self, body: Sequence[ast.stmt], names: frozenset[str] = frozenset()) -> Iterator[str]:
         declared, self.declared = self.declared, self.declared | names
@@ -172,14 +162,6 @@ class Statements:
         if new:
             yield f"let {', '.join(map(camel, new))};"
         yield f"{self.expressions.target(target)} = {value};"
-
-    def _augmented(self, node: ast.AugAssign) -> Iterator[str]:
-        if not isinstance(node.op, ast.Add) or isinstance(node.value, ast.List | ast.Tuple | ast.ListComp):
-            raise self.refuse(node)
-        target = ast.parse(ast.unparse(node.target), mode="eval").body
-        sum_of_both = ast.BinOp(target, node.op, node.value)
-        is_bytes = self.expressions.types.of(target) == "bytes"
-        yield f"{self.text(target)} {'= ' if is_bytes else '+= '}{self.text(sum_of_both if is_bytes else node.value)};"
 
     def _conditional(self, node: ast.If, before: str) -> Iterator[str]:
         yield f"{before}if ({self.expressions.test(node.test)}) {{"
@@ -219,6 +201,11 @@ class Statements:
                 case _:
                     raise self.refuse(case.pattern)
         yield "}"
+
+    def _is_sum(self, name: str, value: ast.expr) -> bool:
+        """Whether a name stands for a number or a text to which a value is added, not for a series."""
+        is_series = isinstance(value, ast.List | ast.Tuple | ast.ListComp)
+        return not is_series and self.expressions.types.local.get(name) != "bytes"
 
     # Classes
 

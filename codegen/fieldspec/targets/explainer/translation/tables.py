@@ -16,7 +16,6 @@ OPERATORS: dict[type[ast.AST], str] = {
 }
 
 RENAMED = {
-    "startswith": "startsWith",
     "lower": "toLowerCase",
     "upper": "toUpperCase",
     "append": "push",
@@ -28,7 +27,7 @@ RENAMED = {
 
 METHODS = (
     "count", "decode", "encode", "endswith", "groups", "hex", "issubset", "join", "lstrip", "rstrip",
-    "split", "strip", "zfill",
+    "split", "startswith", "strip", "zfill",
 )  # fmt: skip
 """The methods of Python's types that are functions of `py`."""
 
