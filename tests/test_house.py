@@ -102,10 +102,9 @@ VENDORS_NAMES = re.compile(
 MAKERS = ("hiwin", "toyo", "taiyo", "profidrive")
 
 
-FOLDERS = {
-    name: [path for path in MODULES if inside(path.parent) == name]
-    for name in sorted({inside(path.parent) for path in MODULES})
-}
+FOLDERS: dict[str, list[Path]] = {}
+for path in MODULES:
+    FOLDERS.setdefault(inside(path.parent), []).append(path)
 """The modules by their folder. A test of each module would take longer to run than to pass."""
 
 

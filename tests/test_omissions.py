@@ -7,6 +7,7 @@ import io
 import os
 import re
 import subprocess
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -62,6 +63,7 @@ def specs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@cache
 def texts_of(name: str) -> dict[str, str]:
     """The files of an output of the mixer that are texts."""
     return {path: text for path, text in OUTPUTS[name].files([MIXER]).items() if isinstance(text, str)}
@@ -236,11 +238,21 @@ def frame(link: str, direction: str, message: str, **values: Any) -> bytes:
     return codec(MIXER).links[link].encode(direction, message, {**head, "station": 1, **values})
 
 
+def conversations(link: str, *exchanges: tuple[bytes, bytes]) -> list[list[Item]]:
+    """What tshark shows of the response of each exchange, after its request."""
+    port = PORTS["mixer", link, ""]
+    packets = [
+        Packet(40000 + number, port, direction, data)
+        for number, exchange in enumerate(exchanges)
+        for direction, data in zip(("request", "response"), exchange, strict=True)
+    ]
+    return dissected([MIXER], packets, port_options(MIXER, PORTS))[1::2]
+
+
 def conversation(link: str, request: bytes, response: bytes) -> list[Item]:
     """What tshark shows of a response after its request."""
-    port = PORTS["mixer", link, ""]
-    packets = [Packet(40000, port, "request", request), Packet(40000, port, "response", response)]
-    return dissected([MIXER], packets, port_options(MIXER, PORTS))[1]
+    (items,) = conversations(link, (request, response))
+    return items
 
 
 def values_by_name(items: list[Item]) -> dict[str, str]:
@@ -253,43 +265,46 @@ TEXTS = {"interface": 14, "texts": [{"number": 1, "size": 3, "value": "abc"}, {"
 
 @pytest.mark.parametrize("link", ["rtu", "tcp"])
 def test_a_dissector_shows_the_others_as_ever(link: str) -> None:
-    items = conversation(
+    weight = frame(link, "response", "read_weight", interface=13, weight=70000)
+    recipe = {"recipe": {"duration": 60, "title": "dough"}, "uses": 3}
+    of_state, of_weight, of_recipe = conversations(
         link,
-        frame(link, "request", "read_state", stage=2),
-        frame(link, "response", "read_state", stage=2, speed=-15, mode=1),
+        (
+            frame(link, "request", "read_state", stage=2),
+            frame(link, "response", "read_state", stage=2, speed=-15, mode=1),
+        ),
+        (frame(link, "request", "read_weight", interface=13), weight),
+        (frame(link, "request", "read_recipe", number=1), frame(link, "response", "read_recipe", **recipe)),
     )
-    visible = values_by_name(items)
+    visible = values_by_name(of_state)
     assert (visible["mixer.read_state.speed"], visible["mixer.read_state.mode"]) == ("-15", "1")
     assert "mixer.frame.opaque" not in visible
-    weight = frame(link, "response", "read_weight", interface=13, weight=70000)
-    visible = values_by_name(conversation(link, frame(link, "request", "read_weight", interface=13), weight))
-    assert visible["mixer.read_weight.weight"] == "70000"
-    recipe = {"recipe": {"duration": 60, "title": "dough"}, "uses": 3}
-    visible = values_by_name(
-        conversation(
-            link, frame(link, "request", "read_recipe", number=1), frame(link, "response", "read_recipe", **recipe)
-        )
-    )
+    assert values_by_name(of_weight)["mixer.read_weight.weight"] == "70000"
+    visible = values_by_name(of_recipe)
     assert (visible["mixer.recipe.duration"], visible["mixer.read_recipe.uses"]) == ("60", "3")
     assert bytes.fromhex(visible["mixer.recipe.title"].replace(":", "")) == b"dough   "
 
 
+UNDECODED: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "read_log": ({"first": 0}, LOG),
+    "read_texts": ({"interface": 14}, TEXTS),
+}
+
+
 @pytest.mark.parametrize("link", ["rtu", "tcp"])
-@pytest.mark.parametrize(
-    ("message", "asked", "answered"),
-    [("read_log", {"first": 0}, LOG), ("read_texts", {"interface": 14}, TEXTS)],
-)
-def test_a_dissector_shows_the_data_of_a_message_that_it_does_not_decode_as_bytes(
-    link: str, message: str, asked: dict[str, Any], answered: dict[str, Any]
-) -> None:
-    response = frame(link, "response", message, **answered)
-    items = conversation(link, frame(link, "request", message, **asked), response)
-    visible = values_by_name(items)
-    assert visible["mixer.frame.message"] == message
-    body = response[8:] if link == "tcp" else response[2:-2]
-    assert bytes.fromhex(visible["mixer.frame.opaque"].replace(":", "")) == body
-    assert not [item for item in items if item.name.startswith(("mixer.read_", "mixer.expert", "_ws.expert"))]
-    assert not [item for item in items if item.name == "mixer.frame.undecoded"]
+def test_a_dissector_shows_the_data_of_a_message_that_it_does_not_decode_as_bytes(link: str) -> None:
+    exchanges = [
+        (frame(link, "request", message, **asked), frame(link, "response", message, **answered))
+        for message, (asked, answered) in UNDECODED.items()
+    ]
+    for message, (_, response), items in zip(UNDECODED, exchanges, conversations(link, *exchanges), strict=True):
+        visible = values_by_name(items)
+        assert visible["mixer.frame.message"] == message
+        body = response[8:] if link == "tcp" else response[2:-2]
+        assert bytes.fromhex(visible["mixer.frame.opaque"].replace(":", "")) == body, message
+        known = ("mixer.read_", "mixer.expert", "_ws.expert")
+        assert not [item for item in items if item.name.startswith(known)], message
+        assert not [item for item in items if item.name == "mixer.frame.undecoded"], message
 
 
 @pytest.mark.parametrize("link", ["rtu", "tcp"])

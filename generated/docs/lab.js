@@ -3790,9 +3790,14 @@ class FrameRowsFrame {
       return false;
     }
     if (link.mark != null) {
-      return link.mark.isIn(py.slice(this.data, this.shape.headerSize));
+      return link.mark.isIn(py.slice(this.data, this.shape.headerSize, this._bodyEnd()));
     }
     return refusal.isMarked(0, this.shape.numbers(this.data));
+  }
+
+  _bodyEnd() {
+    const [shape, size] = [this.shape, this.data.length];
+    return this.wrapped.whole ? py.max(shape.headerSize, size - shape.trailerSize) : size;
   }
 
   _original(escapedData) {
@@ -4039,7 +4044,7 @@ class FrameRowsFrame {
   _body() {
     let span;
     const [start, record] = [this.shape.headerSize, this._record()];
-    const end = this.wrapped.whole ? py.max(start, this.data.length - this.shape.trailerSize) : this.data.length;
+    const end = this._bodyEnd();
     if (record == null) {
       return [py.list(this._unknown(start, end)), NO_REGISTERS];
     }

@@ -19,7 +19,7 @@ from fieldspec.foundation.names import stem
 from fieldspec.targets.c.backend import files
 from layouts import SPECS, TEST_SPECS, newest
 
-DEVICES = [*((SPECS, name) for name in ("ck10", "esc11", "hiwin-e", "tc100"))]
+DEVICES = [*((SPECS, name) for name in ("tc100", "esc11", "hiwin-e", "ck10"))]
 DEVICES += [(TEST_SPECS, name) for name in ("compass", "gadget", "glider-x", "widget")]
 SECONDS = 1
 

@@ -54,17 +54,19 @@ def test_a_simulated_device_answers_a_client_without_options(
     assert len(capsys.readouterr().out.splitlines()) > 2
 
 
-def test_a_link_that_reads_no_registers_is_refused_with_the_one_that_does(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_link_that_reads_nothing_is_refused_with_the_one_that_reads_registers(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     arguments = [
         "live",
-        "weigher",
+        "ladder",
         "read",
         "--link",
-        "lines",
+        "loop",
         "--port",
         "tcp://127.0.0.1:9",
         "--specs",
         str(TEST_SPECS),
     ]
     assert main(arguments) == 2
-    assert "no message of lines reads registers; say --link bus" in capsys.readouterr().err
+    assert "no message of loop reads registers; say --link area" in capsys.readouterr().err

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import select
 import socket
@@ -372,11 +373,13 @@ def test_wrong_use_is_one_line(arguments: list[str], expected: str, capsys: pyte
         (["hiwin-e"], "message telegram_3; --message NAME chooses another\n"),
     ],
 )
-def test_a_unit_address_and_a_message_that_nobody_has_chosen_are_printed(arguments: list[str], expected: str) -> None:
-    command = [sys.executable, "-m", "fieldspec", "simulate", *arguments, "--control", "--specs", SPECS]
-    ran = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8", timeout=HANGING)
-    assert ran.returncode == 0
-    assert "".join(line for line in ran.stderr.splitlines(keepends=True) if ": " not in line) == expected
+def test_a_unit_address_and_a_message_that_nobody_has_chosen_are_printed(
+    arguments: list[str], expected: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO())  # its end ends the device
+    assert main(["simulate", *arguments, "--control", "--specs", SPECS]) == 0
+    lines = capsys.readouterr().err.splitlines(keepends=True)
+    assert "".join(line for line in lines if ": " not in line) == expected
 
 
 def test_assumptions_are_listed(capsys: pytest.CaptureFixture[str]) -> None:

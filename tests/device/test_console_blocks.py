@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -19,7 +20,8 @@ import pytest
 from bounded import HANGING
 from external_tools import require_tool
 from fieldspec.cli import main
-from simulators import SPECS
+from fieldspec.testing import simulation
+from simulators import SPECS, parts_of
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 _CONSOLE = re.compile(r"```console\n(.*?)```", re.DOTALL)
@@ -46,11 +48,12 @@ class _Terminal(io.StringIO):
 
 
 class Session:
-    """Runs the commands of a guide. A simulated device that a command starts goes on until the next one starts."""
+    """Runs the commands of a guide. A device that a command starts or needs goes on until the next one starts."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
         self.monkeypatch, self.capsys = monkeypatch, capsys
         self.device: subprocess.Popen[str] | None = None
+        self.served = ExitStack()
         self.places: dict[str, str] = {}
         self.variables: dict[str, str] = {}
 
@@ -67,7 +70,7 @@ class Session:
             return self.simulate(words[2:], count)
         if _REAL in words:
             # Only the search meets a device whose settings are not those of the factory.
-            self.simulate([words[2], "--port", "tcp://127.0.0.1:5020"])
+            self.serve(words[2])
             words[words.index(_REAL)] = "socket://127.0.0.1:5020"
         words = [
             self.places.get(word, word).replace("127.0.0.1:5020", self.places.get("127.0.0.1:5020", ""))
@@ -101,6 +104,14 @@ class Session:
         self.places = {"/dev/pts/4": places[0], "127.0.0.1:5020": places[0].removeprefix("tcp://")}
         return "".join(lines)
 
+    def serve(self, device: str) -> None:
+        """Serves a device in this process, in place of a real one."""
+        self.end()
+        link = parts_of(device)[0].device.default_link
+        served = simulation(device, ports={link: "tcp://127.0.0.1:0"}, folder=SPECS)
+        place = self.served.enter_context(served).place
+        self.places = {"127.0.0.1:5020": place.removeprefix("tcp://")}
+
     def interrupted(self, words: list[str]) -> str:
         """What a verb prints until somebody interrupts it."""
         process = subprocess.Popen([sys.executable, "-m", "fieldspec", *words], stdout=subprocess.PIPE, text=True)
@@ -112,6 +123,7 @@ class Session:
 
     def end(self) -> None:
         """Ends the device."""
+        self.served.close()
         if self.device is not None:
             self.device.kill()
             self.device.communicate()

@@ -39,7 +39,9 @@ def test_one_word_and_two_have_the_messages_that_can_carry_them(
     device: str, space: str, reads: str, writes: str
 ) -> None:
     for operation, expected in (("read", reads), ("write", writes)):
-        messages = [message_for(newest(TEST_SPECS, device), operation, space, words) for words in (1, 2)]
+        layout = newest(TEST_SPECS, device)
+        link = next(iter(layout.links.values()))
+        messages = [message_for(layout.device, link, operation, space, words) for words in (1, 2)]
         assert " ".join(message.name if message is not None else "none" for message in messages) == expected
 
 

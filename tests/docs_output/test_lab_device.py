@@ -19,10 +19,10 @@ from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect
 from websockets.typing import Origin
 
+from docs_output.documented import documentation
 from docs_output.lab import cells, open_lab, text_of, wait_for
-from fieldspec.targets.docs.backend import files, shared
 from fieldspec.targets.docs.lab import request_data
-from layouts import SPECS, TEST_SPECS, layouts, newest
+from layouts import SPECS, TEST_SPECS, newest
 
 READ = "01 03 10 00 00 01 80 CA"
 HOMING = "01 06 20 1E 00 03 A2 0D"
@@ -32,11 +32,12 @@ DOUBLE = Path(__file__).with_name("serial_double.js")
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The site of one device alone."""
+    """The site with the pages of one device alone."""
     root = tmp_path_factory.mktemp("docs")
-    for path, text in {**files(layouts(SPECS)["tc100"]), **shared()}.items():
-        (root / path).parent.mkdir(exist_ok=True)
-        (root / path).write_text(text, encoding="utf-8")
+    for path, text in documentation().items():
+        if path.rpartition("/")[0] in ("", "tc100"):
+            (root / path).parent.mkdir(exist_ok=True)
+            (root / path).write_text(text, encoding="utf-8")
     return root
 
 

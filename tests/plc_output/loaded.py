@@ -24,7 +24,8 @@ from fieldspec.targets.st.backend import text
 from layouts import SPECS, TEST_SPECS, newest
 from proofs import share
 
-REAL = ["ck10", "esc11", "hiwin-e", "tc100"]
+REAL = ["tc100", "esc11", "hiwin-e", "ck10"]
+"""The one with the least to generate is first, which is what a share of a proof has."""
 TEST_DEVICES = ["compass", "gadget", "gizmo", "glider-x", "grinder", "meter", "station", "widget"]
 DEVICES = [*((SPECS, device) for device in REAL), *((TEST_SPECS, device) for device in TEST_DEVICES)]
 NAMES = [device for _, device in DEVICES]

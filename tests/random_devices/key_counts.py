@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
+from functools import cache
 from itertools import combinations, repeat
 from typing import Any
 
@@ -57,10 +57,14 @@ class KeyCounts:
         self.pairs.update(pairs)
 
     def lacks(self, spec: Spec) -> bool:
-        """Whether a device has a key or a form that no counted one has."""
+        """Whether a device has a key or a word without a reason that no counted one has."""
         counts = KeyCounts()
         counts.add_device(spec)
-        return bool(counts.keys.keys() - self.keys.keys() or counts.forms.keys() - self.forms.keys())
+        return bool(counts.wanted() - self.wanted())
+
+    def wanted(self) -> set[Key | str]:
+        """The keys and the words that there are and that no reason excuses."""
+        return {key for key in self.keys if not reason(key)} | {*self.forms} & _words()
 
     def add(self, other: KeyCounts) -> None:
         """Adds the counts of others."""
@@ -102,12 +106,12 @@ def _choices(shape: Any) -> list[Any]:
     return list(resolved(shape).get("enum", ()))
 
 
-def _words() -> Iterator[str]:
+@cache
+def _words() -> frozenset[str]:
     """All words of all keys that need no reason."""
-    for (owner, key), shape in known_keys().items():
-        if not reason((owner, key)) and (owner, key) not in WORDS:
-            forms = (f"{owner}.{key}: {word}" for word in _choices(shape) if isinstance(word, str))
-            yield from (form for form in forms if form not in FORMS)
+    shapes = {key: shape for key, shape in known_keys().items() if not reason(key) and key not in WORDS}
+    choices = ((key, word) for key, shape in shapes.items() for word in _choices(shape) if isinstance(word, str))
+    return frozenset(f"{owner}.{key}: {word}" for (owner, key), word in choices) - FORMS.keys()
 
 
 def drawn(seed: int, count: int = BATCH) -> list[Spec]:
@@ -138,7 +142,7 @@ def rich_seeds(counts: dict[int, KeyCounts]) -> list[int]:
     """Seeds whose devices have together each key and each word without a reason that the devices of all seeds have."""
     had: dict[int, set[Key | str]] = {}
     for seed, own in counts.items():
-        had[seed] = {key for key in own.keys if not reason(key)} | {*own.forms} & {*_words()}
+        had[seed] = own.wanted()
     missing, seeds = set[Key | str]().union(*had.values()), list[int]()
     while missing:
         rarest = min(missing, key=lambda word: (sum(word in words for words in had.values()), str(word)))

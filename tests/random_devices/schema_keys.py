@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from typing import Any
 
 from fieldspec.language.schema import Schema, resolved, schema
@@ -170,10 +171,12 @@ def reason(key: Key) -> str:
     return KEYS.get(key) or ANYWHERE.get(name) or MAPPINGS.get(owner) or MAPPINGS.get(owner.split(".")[0], "")
 
 
+@cache
 def _value_keys() -> frozenset[str]:
     return frozenset(schema()["$defs"]["value"]["properties"])
 
 
+@cache
 def known_keys() -> dict[Key, Schema]:
     """All keys of all mappings of the schema, with what each may be."""
     keys: dict[Key, Schema] = {}

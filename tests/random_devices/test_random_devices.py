@@ -21,18 +21,19 @@ from random_devices.queries import Answer, Query
 from random_devices.schema_keys import KEYS, MAPPINGS, key_path, known_keys
 
 SEEDS = (4, 9, 12)
+"""All judges are asked about a device of the first."""
 COUNT = 12
 CHEAP = 8 if IS_WHOLE else 1
 """Judges that are asked about each device, or about one of so few, cost less than the others."""
 MOST = 2000
 """Devices that are drawn until each key of the language is in enough of them."""
-RICH = (1, 36, 39, 41, 70, 77, 93, 95)
+RICH = (0, 1, 10, 13, 70, 93)
 """Seeds whose devices have all keys together, as `fuzz.py --statistics 2000` finds them. Where what is drawn has
 changed, the others follow after them, which takes minutes.
 """
 
 
-@pytest.mark.proof(2)
+@pytest.mark.proof(1)
 @pytest.mark.parametrize("number", SEEDS)
 def test_all_codecs_agree_on_random_devices(number: int) -> None:
     tally = batch(number, COUNT, frames=60)

@@ -119,8 +119,13 @@ class _Frame:
         if refusal is None or self.direction == "request" or not link.has_uncoded_exceptions:
             return False
         if link.mark is not None:
-            return link.mark.is_in(self.data[self.shape.header_size :])
+            return link.mark.is_in(self.data[self.shape.header_size : self._body_end()])
         return refusal.is_marked(0, self.shape.numbers(self.data))
+
+    def _body_end(self) -> int:
+        """The offset of the first byte after the body."""
+        shape, size = self.shape, len(self.data)
+        return max(shape.header_size, size - shape.trailer_size) if self.wrapped.whole else size
 
     def _original(self, escaped_data: bytes) -> bytes:
         """The bytes of the parts before they were escaped; finds out where they are in the frame."""
@@ -315,7 +320,7 @@ class _Frame:
     def _body(self) -> tuple[list[ExplanationRow], RegisterRows]:
         """The rows of the body, and of the registers that it reads or writes."""
         start, record = self.shape.header_size, self._record()
-        end = max(start, len(self.data) - self.shape.trailer_size) if self.wrapped.whole else len(self.data)
+        end = self._body_end()
         if record is None:
             return list(self._unknown(start, end)), NO_REGISTERS
         message = self.message.message if self.message else None

@@ -6,6 +6,7 @@ from fieldspec.language.checks.can_frames_complete import can_frames_complete
 from fieldspec.language.checks.choices_complete import choices_complete
 from fieldspec.language.checks.links_complete import links_complete
 from fieldspec.language.checks.messages_complete import messages_complete
+from fieldspec.language.checks.presences_complete import presences_complete
 from fieldspec.language.checks.records_finite import records_finite
 from fieldspec.language.checks.references_resolve import references_resolve
 from fieldspec.language.checks.repeat_last import repeat_last
@@ -20,6 +21,7 @@ _CHECKS = (
     choices_complete,
     links_complete,
     messages_complete,
+    presences_complete,
     varying_widths_end,
 )
 LAYOUT_CONDITIONS = tuple(check.__name__ for check in _CHECKS)

@@ -31,7 +31,7 @@ from fieldspec.targets.docs.document import (
 from fieldspec.targets.docs.link_settings import link_facts
 from fieldspec.targets.docs.positions import Position, placed_fields
 from fieldspec.targets.docs.sources import Inferences
-from fieldspec.targets.docs.value_cells import VALUE_COLUMNS, meaning_cell, spoken, value_cells
+from fieldspec.targets.docs.value_cells import VALUE_COLUMNS, case_lines, meaning_cell, spoken, value_cells
 
 END_FIRST = {"big": "high", "little": "low"}
 
@@ -237,7 +237,7 @@ def field_cells(context: Context, field: FieldLayout, path: str, elements: str, 
         lines.append((styled("reserved", "badge"),))
     lines += _relations(field)
     if field.cases:
-        cells = (cell(items=[_case(field, case) for case in field.cases]), Cell(), Cell())
+        cells = (cell(items=[_case(context, field, case) for case in field.cases]), Cell(), Cell())
     elif field.record is not None:
         record = field.record.name
         cells = (
@@ -271,11 +271,13 @@ def _bytes_of(record: RecordLayout) -> str:
     return plural(record.size, "byte") if record.size is not None else f"{record.least} to {record.most} bytes"
 
 
-def _case(field: FieldLayout, case: CaseLayout) -> Item:
-    """The type of one case of a choice, with the members of the deciding field for which it holds."""
+def _case(context: Context, field: FieldLayout, case: CaseLayout) -> Item:
+    """The type of one case of a choice with the members of the deciding field for which it holds, and its meaning."""
     selector = field.field.choice.subject if field.field.choice is not None else ""
     condition = f" where {selector} is {', '.join(case.case.when)}"
-    return Item((code(case.value.type.name), text_piece(condition)))
+    kind, *lines = case_lines(context, case.case, case.value)
+    meaning = (piece for line in lines for piece in (text_piece("; "), *line))
+    return Item((*kind, text_piece(condition), *meaning))
 
 
 def _relations(field: FieldLayout) -> Iterator[Line]:

@@ -12,7 +12,7 @@ from fieldspec.language.model.enums import Enum, Member
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Parameter, Register, Subindex
 from fieldspec.language.model.text_form import text_form_title
-from fieldspec.language.model.value import Value
+from fieldspec.language.model.value import Sentinel, Value
 from fieldspec.targets.docs.context import Context, names
 from fieldspec.targets.docs.document import (
     UNKNOWN,
@@ -186,6 +186,12 @@ def meaning_cell(context: Context, fact: Fact, value: Value | None, *lines: Line
     return cell(*lines, *remarks, *_named_by(context, value), items=tuple(_meanings(context, value)))
 
 
+def case_lines(context: Context, fact: Fact, value: Value) -> list[Line]:
+    """Everything about a value of one of several types, its type first."""
+    about_number = [*type_lines(value), *unit_lines(value), *range_lines(value)]
+    return [*about_number, *context.about(fact), *_named_by(context, value), *map(_sentinel, value.sentinels)]
+
+
 def _named_by(context: Context, value: Value) -> Iterator[Line]:
     """The enum, the word of flags and the parameters that a value refers to."""
     if value.enum:
@@ -212,16 +218,12 @@ def _meanings(context: Context, value: Value) -> Iterator[Item]:
     enum = context.device.enums[value.enum] if value.enum else None
     if enum is not None and _short(enum):
         yield from (Item(_member(member)) for member in enum.members)
-    for sentinel in value.sentinels:
-        doc: Line = (text_piece(f": {sentinel.doc}"),) if sentinel.doc else ()
-        yield Item(
-            (
-                code(sentinel.text),
-                text_piece(" "),
-                code(sentinel.name),
-                *doc,
-            )
-        )
+    yield from (Item(_sentinel(sentinel)) for sentinel in value.sentinels)
+
+
+def _sentinel(sentinel: Sentinel) -> Line:
+    doc: Line = (text_piece(f": {sentinel.doc}"),) if sentinel.doc else ()
+    return code(sentinel.text), text_piece(" "), code(sentinel.name), *doc
 
 
 def _short(enum: Enum) -> bool:

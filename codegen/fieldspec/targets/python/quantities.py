@@ -118,7 +118,9 @@ def _decided_states(field: Slots, selector: Slots | None) -> str:
         if (arguments := _state_arguments(field, case.value))
         for number in sorted(case.numbers)
     ]
-    return f"*{{{', '.join(rows)}}}.get(self.{selector.name}, ())"
+    bits = field.field.deciding_bits
+    number = f"self.{selector.name}" if bits is None else f"self.{selector.name}.raw & {bits}"
+    return f"*{{{', '.join(rows)}}}.get({number}, ())"
 
 
 def _of_none(field: Slots) -> str:

@@ -7,7 +7,6 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.foundation.runtime._firmware import UnknownFirmwareError, module_name, version_in
 from fieldspec.language.model.encoding import is_text
-from fieldspec.language.model.sizes import sent_on
 from fieldspec.tools.live.client import Client
 from fieldspec.tools.live.messages import read_signals, signals
 from fieldspec.tools.live.reading import all_occupants, blocks, message_for, read
@@ -80,8 +79,7 @@ def _answers(client: Client, path: str) -> list[DecodedValue | None]:
         return fact.place.path == path
 
     def is_readable(space: str, words: int) -> bool:
-        message = message_for(client.layout, "read", space, words)
-        return message is not None and sent_on(client.frames.link.link, message)
+        return message_for(client.layout.device, client.frames.link, "read", space, words) is not None
 
     matches = [pair for pair in all_occupants(client.layout) if is_meant(pair[1].fact)]
     occupants = [(space, occupant) for space, occupant in matches if is_readable(space, occupant.words)]

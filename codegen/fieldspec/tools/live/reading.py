@@ -9,8 +9,10 @@ from fieldspec.codec.explain.spans import Span
 from fieldspec.codec.explain.values import DecodedValue, decode_value
 from fieldspec.codec.layout.bits import unpacked_bits
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.read_plan import ReadBlock, read_limit, read_plan
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Message, RegisterAccess
 from fieldspec.tools.live.client import Client, NoAnswerError, RefusedError
 
@@ -95,11 +97,13 @@ def _within(layout: DeviceLayout, block: ReadBlock, space: str, occupant: Occupa
     return own == space and block.start <= occupant.address and occupant.address + occupant.words <= block.end
 
 
-def message_for(layout: DeviceLayout, operation: str, space: str, words: int) -> Message | None:
-    """The message that reads or writes some words or bits of a space; one without a count where it is for one alone."""
-    device = layout.device
+def message_for(device: Device, link: LinkLayout, operation: str, space: str, words: int) -> Message | None:
+    """The message of a link that reads or writes some words or bits of a space; one without a count where it is for
+    one alone.
+    """
     known = []
-    for message in device.messages.values():
+    for carried in link.carried("response" if operation == "read" else "request").values():
+        message = carried.message
         access = device.register_access(message) or device.bit_access(message)
         if access is not None and access.operation == operation and device.space_name(access.space) == space:
             known.append((not _is_list(message, access), message))
@@ -150,10 +154,11 @@ def _read_block(client: Client, block: Block) -> Iterator[Reading]:
 
 def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
     """The words, or the bits as 0 and 1, from an address on. Raises NoAnswerError, RefusedError and CarrierError."""
-    message = message_for(client.layout, "read", space, count) or message_for(client.layout, "read", space, 1)
+    device, link = client.layout.device, client.frames.link
+    message = message_for(device, link, "read", space, count) or message_for(device, link, "read", space, 1)
     access = message.single_access if message is not None else None
     if message is None or access is None:
-        raise RefusedError(0, "no message of the device reads registers")
+        raise RefusedError(0, f"no message of {link.name} reads registers")
     limit = read_limit(client.layout.device, message).words
     if limit is not None and 0 < limit < count:
         # The plan divides no value, so that this is one with more words than a request reads.

@@ -94,8 +94,7 @@ def scan_spaces(layout: DeviceLayout, link: LinkLayout) -> list[ScanSpace]:
     for name in dict.fromkeys([*device.spaces, device.space_name("")]):
         limit = plan.limit(name) or plan.limit("")
         maximum = limit.words if limit is not None and limit.words is not None else 1
-        message = message_for(layout, "read", name, maximum) or message_for(layout, "read", name, 1)
-        if message is not None and message.name in link.carried("response"):
+        if message_for(device, link, "read", name, maximum) or message_for(device, link, "read", name, 1):
             result.append(ScanSpace(name, 0x10000, maximum))
     spaces: dict[str, ParameterSet] = {}
     for parameter_set in device.parameters.values():

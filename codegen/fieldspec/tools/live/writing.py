@@ -96,7 +96,7 @@ def _hazards(layout: DeviceLayout, occupant: Occupant) -> list[str]:
 def request_frame(client: Client, chosen: Assignment) -> tuple[str, dict[str, object], bytes]:
     """The message that writes a value, its fields, and its frame. Raises WriteError."""
     space, address, words = chosen.sent
-    message = message_for(client.layout, "write", space, len(words))
+    message = message_for(client.layout.device, client.frames.link, "write", space, len(words))
     access = message.single_access if message is not None else None
     if message is None or access is None:
         raise WriteError(f"no message of the device writes {chosen.occupant.path}")

@@ -107,9 +107,15 @@ class FrameRowsFrame {
       return false;
     }
     if (link.mark != null) {
-      return link.mark.isIn(py.slice(this.data, this.shape.headerSize));
+      return link.mark.isIn(py.slice(this.data, this.shape.headerSize, this._bodyEnd()));
     }
     return refusal.isMarked(0, this.shape.numbers(this.data));
+  }
+
+  /** The offset of the first byte after the body. */
+  _bodyEnd() {
+    const [shape, size] = [this.shape, this.data.length];
+    return this.wrapped.whole ? py.max(shape.headerSize, size - shape.trailerSize) : size;
   }
 
   /** The bytes of the parts before they were escaped; finds out where they are in the frame. */
@@ -369,7 +375,7 @@ class FrameRowsFrame {
   _body() {
     let span;
     const [start, record] = [this.shape.headerSize, this._record()];
-    const end = this.wrapped.whole ? py.max(start, this.data.length - this.shape.trailerSize) : this.data.length;
+    const end = this._bodyEnd();
     if (record == null) {
       return [py.list(this._unknown(start, end)), NO_REGISTERS];
     }
