@@ -18,7 +18,6 @@ from fieldspec.codec.layout.widths import extents
 from fieldspec.codec.program.interpreter import Place, Row, run_each
 from fieldspec.codec.program.lowering import field_program
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.record import Message
 
@@ -64,16 +63,13 @@ class Body:
     def _explained(self, traced: list[_TracedField | ExplanationRow]) -> Iterator[ExplanationRow]:
         known = dict(self.asked)
         for part in traced:
-            match part:
-                case ExplanationRow():
-                    yield part
-                case _TracedField():
-                    for row in part.rows:
-                        yield self._row(row, known)
-                    if part.name in self.values:
-                        known[part.name] = self.values[part.name]
-                case _:
-                    assert_never(part)
+            if isinstance(part, ExplanationRow):
+                yield part
+                continue
+            for row in part.rows:
+                yield self._row(row, known)
+            if part.name in self.values:
+                known[part.name] = self.values[part.name]
 
     def _traced(self) -> Iterator[_TracedField | ExplanationRow]:
         """The parts of a record in the order of the wire."""

@@ -44,13 +44,13 @@ export class Body {
     for (const part of traced) {
       if (part instanceof ExplanationRow) {
         yield part;
-      } else if (part instanceof BodyTracedField) {
-        for (const row of part.rows) {
-          yield this._row(row, known);
-        }
-        if (py.has(this.values, part.name)) {
-          py.put(known, part.name, py.item(this.values, part.name));
-        }
+        continue;
+      }
+      for (const row of part.rows) {
+        yield this._row(row, known);
+      }
+      if (py.has(this.values, part.name)) {
+        py.put(known, part.name, py.item(this.values, part.name));
       }
     }
   }

@@ -132,8 +132,6 @@ class Statements:
                 yield from self._try(node, handler)
             case ast.Raise():
                 yield f"throw {self.text(node.exc) if node.exc is not None else 'error'};"
-            case ast.Match():
-                yield from self._match(node)
             case ast.Continue():
                 yield "continue;"
             case ast.Assert() | ast.ImportFrom() | ast.Pass():
@@ -186,20 +184,6 @@ class Statements:
         yield f"  if (!({error} instanceof {kind})) throw {error};"
         self.expressions.types.local.setdefault(handler.name or "error", "")
         yield from self._scoped(handler.body)
-        yield "}"
-
-    def _match(self, node: ast.Match) -> Iterator[str]:
-        subject, joint = self.text(node.subject), ""
-        for case in node.cases:
-            match case.pattern:
-                case ast.MatchClass(cls=ast.Name(id=name), patterns=[], kwd_patterns=[]):
-                    yield f"{joint}if ({subject} instanceof {self.expressions.name(name)}) {{"
-                    yield from self._scoped(case.body)
-                    joint = "} else "
-                case ast.MatchAs(pattern=None, name=None):
-                    pass  # `assert_never`
-                case _:
-                    raise self.refuse(case.pattern)
         yield "}"
 
     def _is_sum(self, name: str, value: ast.expr) -> bool:
@@ -298,8 +282,8 @@ def _is_declared_inline(name: str, body: Sequence[ast.stmt]) -> bool:
 def _blocks(node: ast.stmt) -> Iterator[list[ast.stmt]]:
     for key in ("body", "orelse"):
         yield getattr(node, key, [])
-    for part in (*getattr(node, "handlers", ()), *getattr(node, "cases", ())):
-        yield part.body
+    for handler in getattr(node, "handlers", ()):
+        yield handler.body
 
 
 def _comment(text: str) -> Iterator[str]:
