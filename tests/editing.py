@@ -8,14 +8,11 @@ import sys
 from collections.abc import AsyncIterator, Iterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
-from functools import cache
 from pathlib import Path
 from typing import cast
 
 from lsprotocol import types
-from pygls.protocol import default_converter
-from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
-from pytest_lsp.client import register_lsp_features
+from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities, make_test_lsp_client
 
 from bounded import HANGING
 from editor_servers import server_address
@@ -28,8 +25,6 @@ from fieldspec.language.reading.project import read
 
 SPECS = Path(__file__).resolve().parent / "specs"
 REAL = Path(__file__).resolve().parent.parent / "specs"
-_converter = cache(default_converter)
-"""What converts the messages of all clients: it compiles code for each kind of message that it meets."""
 CONFIGURATION = ClientServerConfig(server_command=[sys.executable, "-m", "fieldspec", "lsp"])
 
 Place = tuple[str, int, int, int, int, str]
@@ -130,8 +125,7 @@ def _lines_and_columns(span: Span) -> Iterator[int]:
 @asynccontextmanager
 async def editor(specs: Path) -> AsyncIterator[Editor]:
     """An editor that has the folder of some specs open, with a server of its own."""
-    client = LanguageClient(converter_factory=_converter)
-    register_lsp_features(client)
+    client = make_test_lsp_client()
     with server_address() as (host, port):
         await client.start_tcp(host, port)
         async with session(client, specs) as editor:

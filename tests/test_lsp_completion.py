@@ -19,7 +19,7 @@ from fieldspec.language.reading.references import unquoted
 from fieldspec.language.reading.yaml_reader import key_spans
 
 ROOT = Path(__file__).parent.parent
-DEVICES = (("tests/specs", "wattmeter"), *(("specs", name) for name in ("ck10", "esc11", "hiwin-e", "tc100")))
+DEVICES = (*(("specs", name) for name in ("ck10", "esc11", "hiwin-e", "tc100")), ("tests/specs", "wattmeter"))
 FREE = frozenset(("allow", "standard", "expected", "inferred", "was", "is"))
 """Keys whose own keys, or values, are texts of the spec."""
 MEANT = frozenset(

@@ -5,7 +5,6 @@ They are read and written as an image: first all other fields, then the lists.
 
 from __future__ import annotations
 
-from functools import partial
 from struct import Struct
 
 from ._error import CodecError
@@ -197,7 +196,7 @@ class Parts:
             fields += data[len(fields) + before : start]
             at = _place_after(extents, inner.at)
             if inner.decision is not None:
-                size = inner.decided_bytes(inner.decision, fields, partial(_place_after, extents))
+                size = inner.decided_bytes(inner.decision, fields, lambda place: _place_after(extents, place))
             elif inner.sent_plus is not None:
                 size = inner.measured_bytes(fields, inner.sent_plus, at)
             else:
@@ -252,7 +251,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
                 raise self._incomplete(len(data))
             is_last = inner is self.lists[-1]
             if inner.decision is not None:
-                size = inner.decided_bytes(inner.decision, fields, partial(self._place, extents))
+                size = inner.decided_bytes(inner.decision, fields, lambda place: self._place(extents, place))
                 if is_last and size < left:
                     raise CodecError("wrong_length", f"{self.name} has more than its {at + size} bytes", at + size)
             elif inner.sent_plus is not None:
