@@ -1408,6 +1408,11 @@ function enumeration(names, last) {
   return names.length > 1 ? `${names.slice(0, -1).join(", ")} ${last} ${names.at(-1)}` : names.join("");
 }
 
+function keyOf(key) {
+  if (typeof key === "bigint") return exactWhole(key);
+  return Array.isArray(key) ? JSON.stringify(key) : key;
+}
+
 class Dictionary {
   constructor(entries = []) {
     this.byKey = new Map();
@@ -1419,15 +1424,15 @@ class Dictionary {
   }
 
   set(key, value) {
-    this.byKey.set(Array.isArray(key) ? JSON.stringify(key) : key, [key, value]);
+    this.byKey.set(keyOf(key), [key, value]);
   }
 
   get(key) {
-    return this.byKey.get(Array.isArray(key) ? JSON.stringify(key) : key)?.[1];
+    return this.byKey.get(keyOf(key))?.[1];
   }
 
   has(key) {
-    return this.byKey.has(Array.isArray(key) ? JSON.stringify(key) : key);
+    return this.byKey.has(keyOf(key));
   }
 
   setdefault(key, value) {

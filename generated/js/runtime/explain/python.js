@@ -1,6 +1,12 @@
-import { onBits } from "../number_bits.js";
+import { exactWhole, onBits } from "../number_bits.js";
 import { bytesOfHex, hexOf, latinOf, sameValue, sentence, valueText } from "./texts.js";
 import { isWhole } from "./numbers.js";
+
+/** The same key for whole numbers that are equal, and for lists of equal items. */
+function keyOf(key) {
+  if (typeof key === "bigint") return exactWhole(key);
+  return Array.isArray(key) ? JSON.stringify(key) : key;
+}
 
 /** A dictionary of Python: it lists its keys, and lists are keys by their items. */
 export class Dictionary {
@@ -14,15 +20,15 @@ export class Dictionary {
   }
 
   set(key, value) {
-    this.byKey.set(Array.isArray(key) ? JSON.stringify(key) : key, [key, value]);
+    this.byKey.set(keyOf(key), [key, value]);
   }
 
   get(key) {
-    return this.byKey.get(Array.isArray(key) ? JSON.stringify(key) : key)?.[1];
+    return this.byKey.get(keyOf(key))?.[1];
   }
 
   has(key) {
-    return this.byKey.has(Array.isArray(key) ? JSON.stringify(key) : key);
+    return this.byKey.has(keyOf(key));
   }
 
   setdefault(key, value) {
