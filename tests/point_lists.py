@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from fieldspec.cli import main
-from fieldspec.codec.explain.registers import Occupant
+from fieldspec.codec.explain.occupants import Occupant
 from fieldspec.codec.layout.values import Raw
 from fieldspec.testing import SimulatedDevice
 from simulators import SPECS

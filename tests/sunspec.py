@@ -6,7 +6,7 @@ import importlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from fieldspec.codec.explain.registers import Occupant, occupants
+from fieldspec.codec.explain.occupants import Occupant, occupants
 from fieldspec.codec.explain.spans import Span
 from fieldspec.testing import SimulatedDevice, simulation
 from layouts import TEST_SPECS, newest

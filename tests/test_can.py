@@ -17,8 +17,8 @@ import pytest
 from canopen import objectdictionary as dictionary
 
 from fieldspec.codec.explain.explanation import explained
-from fieldspec.codec.explain.log import log_line
-from fieldspec.codec.explain.readings import FrameOptions, read, remarks
+from fieldspec.codec.explain.lines import log_line
+from fieldspec.codec.explain.readings import FrameOptions, read_frame, remarks_on
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.command.rendering.explanation_text import faults
@@ -157,7 +157,7 @@ def test_faults_name_the_identifier_or_the_byte_of_the_data() -> None:
     fault = next(faults(explained(AXIS, "pdo", "response", bytes(frame), "position_data")))
     assert fault == "wrong: position at byte 2 of the data: 1 byte is missing for position"
     options = FrameOptions((("pdo", "response"),))
-    texts = list(remarks(AXIS, read(AXIS, bytes(frame), options), 0, options))
+    texts = list(remarks_on(AXIS, read_frame(AXIS, bytes(frame), options), 0, options))
     assert texts[-1] == "the data of the frame have 5 bytes; position_data response has 6"
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from command_line import SPECS, TEST_SPECS, CommandLine
-from fieldspec.codec.explain.readings import FrameOptions, read
+from fieldspec.codec.explain.readings import FrameOptions, read_frame
 from fieldspec.codec.reference import codec
 from fieldspec.language.model.texts import Example
 from layouts import newest
@@ -313,7 +313,7 @@ def test_a_frame_of_an_example_is_explained_as_an_example(name: str) -> None:
     good = [example for example in layout.device.examples.values() if not example.refused]
     readings = {(e.frame, e.link, e.direction, e.message, e.exception_response) for e in good}
     for example in good:
-        explanation = read(layout, example.frame, FrameOptions()).explanation
+        explanation = read_frame(layout, example.frame, FrameOptions()).explanation
         assert (
             explanation.frame,
             explanation.link,

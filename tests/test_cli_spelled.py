@@ -7,7 +7,7 @@ from contextlib import suppress
 
 import pytest
 
-from fieldspec.codec.explain.log import LogLine, Unreadable, log_line
+from fieldspec.codec.explain.lines import LogLine, Unreadable, log_line
 from fieldspec.command.verbs.decode import LONGEST_LINE
 from layouts import TEST_SPECS, newest
 from proofs import IS_WHOLE

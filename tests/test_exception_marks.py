@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.codec.explain.explanation import explained
-from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read, remarks
+from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read_frame, remarks_on
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.tools.live.client import Client, RefusedError, Timing
@@ -52,7 +52,7 @@ def test_a_code_of_its_own_marks_an_exception_response() -> None:
 
 def test_a_code_of_its_own_is_no_code_of_a_request() -> None:
     asked = explained(SCANNER, "terminal", "request", LINKS["terminal"].encode("request", "read_state", {}))
-    chosen = read(SCANNER, REFUSED_LINE, FrameOptions(), open_request=OpenRequest(asked, True))
+    chosen = read_frame(SCANNER, REFUSED_LINE, FrameOptions(), open_request=OpenRequest(asked, True))
     assert (chosen.wrong, chosen.explanation.message, chosen.chosen) == (False, "read_state", "request")
     unasked = explained(SCANNER, "terminal", "response", REFUSED_LINE)
     (meaning,) = next(row for row in unasked.rows if row.path == "command").meanings
@@ -71,9 +71,9 @@ def test_an_exception_response_answers_the_message_that_the_user_names(
 ) -> None:
     layout = newest(TEST_SPECS, device)
     options = FrameOptions(((link, "response"),), message)
-    chosen = read(layout, frame, options)
+    chosen = read_frame(layout, frame, options)
     assert (chosen.readings, chosen.wrong) == (((link, "response", message, True),), False)
-    assert not list(remarks(layout, chosen, 0, options))
+    assert not list(remarks_on(layout, chosen, 0, options))
 
 
 def test_a_part_before_the_body_marks_an_exception_response() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.codec.explain.explanation import explained
-from fieldspec.codec.explain.readings import FrameOptions, read, remarks
+from fieldspec.codec.explain.readings import FrameOptions, read_frame, remarks_on
 from fieldspec.codec.explain.row import Spot
 from fieldspec.codec.reference import codec
 from random_devices.agreement import layouts_of
@@ -50,8 +50,8 @@ def test_the_code_of_cobs_before_no_data_is_explained() -> None:
 def test_the_size_of_a_frame_is_counted_as_those_of_messages_are(frame: str, size: str) -> None:
     (layout, *_) = layouts_of((CASES / "137a6d61.yaml").read_text("utf-8"))
     options = FrameOptions((("speed_25", "response"),), "limit_42")
-    chosen = read(layout, bytes.fromhex(frame), options)
-    assert list(remarks(layout, chosen, 0, options))[1] == (
+    chosen = read_frame(layout, bytes.fromhex(frame), options)
+    assert list(remarks_on(layout, chosen, 0, options))[1] == (
         f"without its delimiters and escapes, the frame has {size}; limit_42 response has 0"
     )
 

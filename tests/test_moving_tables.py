@@ -17,7 +17,7 @@ from c_output.compilers import compiled
 from command_line import CommandLine
 from external_tools import require_tool
 from fieldspec.cli import main
-from fieldspec.codec.explain.registers import occupants
+from fieldspec.codec.explain.occupants import occupants
 from fieldspec.codec.explain.spans import Span
 from fieldspec.codec.layout.bases import at_usual_bases
 from fieldspec.codec.layout.read_plan import read_plan

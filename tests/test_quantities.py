@@ -7,7 +7,7 @@ from decimal import Decimal
 
 import pytest
 
-from fieldspec.codec.explain.parameters import nearest
+from fieldspec.codec.explain.entered import nearest
 from fieldspec.codec.layout.values import MeaningError, raw_value
 from fieldspec.foundation.classes import replace
 from fieldspec.language.checks.numbers import in_counts

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from fieldspec.codec.explain.body import percentage_text
+from fieldspec.codec.explain.percentages import percentage_text
 from fieldspec.codec.explain.values import in_unit, range_in_unit
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.encoding import is_signed

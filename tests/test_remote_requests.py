@@ -14,7 +14,7 @@ from captures.conversations import SOCKETCAN, pcap
 from captures.test_decode_in_bulk import decode
 from fieldspec.cli import main
 from fieldspec.codec.explain.explanation import explained
-from fieldspec.codec.explain.log import log_line
+from fieldspec.codec.explain.lines import log_line
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.testing import simulation

@@ -18,7 +18,7 @@ from sunspec2.modbus.client import SunSpecModbusClientDeviceTCP
 
 from command_line import CommandLine
 from fieldspec.cli import main
-from fieldspec.codec.explain.registers import Occupant
+from fieldspec.codec.explain.occupants import Occupant
 from fieldspec.language.model.value import Value
 from fieldspec.testing import SimulatedDevice
 from layouts import TEST_SPECS

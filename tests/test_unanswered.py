@@ -7,8 +7,8 @@ import importlib
 import pytest
 
 from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.explain.occupants import occupant_at
 from fieldspec.codec.explain.recognition import recognised
-from fieldspec.codec.explain.registers import occupant_at
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.tools.live.client import Client, Timing

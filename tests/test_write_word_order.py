@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from fieldspec.codec.explain.explanation import explained
-from fieldspec.codec.explain.registers import occupant_at
+from fieldspec.codec.explain.occupants import occupant_at
 from fieldspec.targets import OUTPUTS
 from fieldspec.tools.lists.orders import stated_order
 from fieldspec.tools.live.writing import assignment

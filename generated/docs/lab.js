@@ -633,7 +633,7 @@ const exactWhole = (number) => (Number.isSafeInteger(Number(number)) ? Number(nu
 
 function onBits(left, right, operation) {
   const isNarrow = left <= 0xffffffff && right <= 0xffffffff;
-  return isNarrow ? operation(left, right) >>> 0 : exactWhole(operation(BigInt(left), BigInt(right)));
+  return isNarrow ? operation(Number(left), Number(right)) >>> 0 : exactWhole(operation(BigInt(left), BigInt(right)));
 }
 
 const powerBeside = (number, exponent) => (typeof number === "bigint" ? 1n << BigInt(exponent) : 2 ** exponent);
@@ -1250,6 +1250,7 @@ const SENTENCES = {
  "CHARACTER_TOO_MANY": "1 character too many",
  "NOT_PAIRS": "not pairs of hexadecimal characters",
  "BOUNDS": "{low} to {high}",
+ "OR_MORE": "{low} or more",
  "NOT_ESCAPED": "the byte at {offset} is not escaped, or its escape means nothing",
  "ANOTHER_LENGTH": "for another number of bytes",
  "CODE_REFUSED": "the code {code} is refused",
@@ -1320,7 +1321,7 @@ const SENTENCES = {
  "NO_BYTES": "there are no bytes in it",
  "TOO_LONG": "it has {count} characters or more",
  "END_ASSUMED": "{characters} is missing at the end of the text and is assumed to have been sent",
- "DIRECTION_WORDS": {"request": ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"], "response": ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"]},
+ "DIRECTION_WORDS": [["request", ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"]], ["response", ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"]]],
 };
 
 function sentence(text, parts) {
@@ -1338,7 +1339,9 @@ function missingText(count, names) {
 const DIGITS = Array.from({ length: 256 }, (_, byte) => byte.toString(16).toUpperCase().padStart(2, "0"));
 
 function hexOf(bytes, separator = "") {
-  return Array.from(bytes, (byte) => DIGITS[byte]).join(separator);
+  let text = "";
+  for (const byte of bytes) text += (text && separator) + DIGITS[byte];
+  return text;
 }
 
 function bytesOfHex(digits) {
@@ -1346,7 +1349,9 @@ function bytesOfHex(digits) {
 }
 
 function latinOf(bytes) {
-  return Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+  let text = "";
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return text;
 }
 
 function sameBytes(left, right) {
@@ -1402,6 +1407,177 @@ function isWithin(ranges, number) {
 function enumeration(names, last) {
   return names.length > 1 ? `${names.slice(0, -1).join(", ")} ${last} ${names.at(-1)}` : names.join("");
 }
+
+function keyOf(key) {
+  if (typeof key === "bigint") return exactWhole(key);
+  return Array.isArray(key) ? JSON.stringify(key) : key;
+}
+
+class Dictionary {
+  constructor(entries = []) {
+    this.byKey = new Map();
+    for (const [key, value] of entries) this.set(key, value);
+  }
+
+  get size() {
+    return this.byKey.size;
+  }
+
+  set(key, value) {
+    this.byKey.set(keyOf(key), [key, value]);
+  }
+
+  get(key) {
+    return this.byKey.get(keyOf(key))?.[1];
+  }
+
+  has(key) {
+    return this.byKey.has(keyOf(key));
+  }
+
+  setdefault(key, value) {
+    if (!this.has(key)) this.set(key, value);
+    return this.get(key);
+  }
+
+  update(other) {
+    for (const [key, value] of other.entries()) this.set(key, value);
+  }
+
+  entries() {
+    return this.byKey.values();
+  }
+
+  keys() {
+    return [...this.byKey.values()].map(([key]) => key);
+  }
+
+  values() {
+    return [...this.byKey.values()].map(([, value]) => value);
+  }
+
+  [Symbol.iterator]() {
+    return this.keys()[Symbol.iterator]();
+  }
+}
+
+const compared = (left, right) => {
+  if (!Array.isArray(left)) return left < right ? -1 : Number(left > right);
+  for (const [place, own] of left.entries()) {
+    const result = place < right.length ? compared(own, right[place]) : 1;
+    if (result) return result;
+  }
+  return left.length - right.length;
+};
+
+const trimmed = (text, characters, isLeft, isRight) => {
+  const isBlank = (character) => (characters === undefined ? !character.trim() : characters.includes(character));
+  let [start, end] = [0, text.length];
+  while (isLeft && start < end && isBlank(text[start])) start++;
+  while (isRight && end > start && isBlank(text[end - 1])) end--;
+  return text.slice(start, end);
+};
+
+const patterns = new Map();
+
+function patternOf(pattern, frame = (inner) => inner, flags = "") {
+  const key = `${frame("")}${flags}${pattern}`;
+  if (!patterns.has(key)) {
+    const [, own = "", inner] = /^(?:\(\?([a-z]+)\))?(.*)$/s.exec(pattern);
+    const text = inner.replaceAll("(?P<", "(?<").replaceAll("\\Z", "$")
+      .replace(/\[(?:\\.|[^\]\\])*\]|\\w/g, (part) => (part === "\\w" ? "[\\w]" : part).replaceAll("\\w", "\\p{L}\\p{N}_"));
+    patterns.set(key, new RegExp(frame(text), `u${own}${flags}`));
+  }
+  return patterns.get(key);
+}
+
+function matchOf(match) {
+  return match && Object.assign(match, { start: () => match.index, end: () => match.index + match[0].length });
+}
+
+const py = {
+  truth: (value) => (typeof value === "object" && value !== null ? (value.length ?? value.size ?? 1) !== 0 : Boolean(value)),
+  either: (value, other) => (py.truth(value) ? value : other()),
+  equal: (left, right) => (left ?? null) === (right ?? null) || (left != null && right != null && sameValue(left, right)),
+  has: (series, value) => {
+    if (typeof series === "string") return series.includes(value);
+    if (series instanceof Uint8Array) return series.includes(value);
+    if (typeof series.has === "function") return series.has(value);
+    return [...series].some((own) => py.equal(own, value));
+  },
+  item: (series, key) => {
+    if (typeof series.get === "function") return series.get(key);
+    return typeof key === "string" ? series.groups[key] : series.at(Number(key));
+  },
+  put: (dictionary, key, value) => dictionary.set(key, value),
+  slice: (series, start, stop) => (series instanceof Uint8Array ? series.subarray(start, stop) : series.slice(start, stop)),
+  joined: (left, right) => Uint8Array.from([...left, ...right]),
+  startswith: (series, start) => py.equal(py.slice(series, 0, start.length), start),
+  repeated: (series, count) => new Array(Math.max(0, count)).fill(series).flat(),
+  format: sentence,
+  repr: (value) => valueText(value),
+  zip: (...series) => series[0].slice(0, Math.min(...series.map((own) => own.length))).map((_, place) => series.map((own) => own[place])),
+  replace: (value, more) => Object.setPrototypeOf({ ...value, ...more }, Object.getPrototypeOf(value)),
+  dict: (entries = []) => new Dictionary(Array.isArray(entries) ? entries : entries.entries()),
+  isWhole,
+  isList: Array.isArray,
+  any: (series) => [...series].some(py.truth),
+  all: (series) => [...series].every(py.truth),
+  list: (series) => [...series],
+  tuple: (series) => [...series],
+  frozenset: (series) => new Set(series),
+  issubset: (left, right) => [...left].every((own) => right.has(own)),
+  sum: (series) => [...series].reduce((sum, own) => sum + Number(own), 0),
+  next: (series, otherwise) => {
+    for (const value of series) return value;
+    return otherwise;
+  },
+  sorted: (series, key = (own) => own) => [...series].sort((left, right) => compared(key(left), key(right))),
+  min: (...values) => (values.length > 1 && typeof values[1] !== "function" ? Math.min(...values) : py.sorted(...values)[0]),
+  max: Math.max,
+  range: (first, last, step = 1) => {
+    const [start, stop] = last === undefined ? [0, first] : [first, last];
+    return Array.from({ length: Math.max(0, Math.ceil((stop - start) / step)) }, (_, place) => start + place * step);
+  },
+  reversed: (series) => (typeof series === "string" ? [...series].reverse().join("") : series.toReversed()),
+  enumerate: (series) => [...series].map((own, place) => [place, own]),
+  bytes: (series) => Uint8Array.from(series),
+  int: (value, base) => (typeof value === "string" ? parseInt(value, base ?? 10) : Number(value)),
+  str: String,
+  chr: String.fromCharCode,
+  islice: (series, count) => [...series].slice(0, count),
+  join: (separator, series) => [...series].join(separator),
+  hexadecimal: (number, form) => {
+    const digits = number.toString(16).padStart(Number(form.slice(0, -1)), "0");
+    return form.endsWith("X") ? digits.toUpperCase() : digits;
+  },
+  common: (left, right) => onBits(left, right, (bits, mask) => bits & mask),
+  without: (left, right) => onBits(left, right, (bits, mask) => bits & ~mask),
+  count: (text, part) => text.split(part).length - 1,
+  decode: latinOf,
+  encode: (text) => Uint8Array.from([...text], (character) => (character.codePointAt(0) > 255 ? 0x3f : character.charCodeAt(0))),
+  endswith: (series, end) => py.equal(py.slice(series, Math.max(0, series.length - end.length)), end),
+  groups: (match) => match.slice(1),
+  hex: (bytes, separator) => hexOf(bytes, separator).toLowerCase(),
+  bytesOfHex: (text) => {
+    const digits = text.replace(/\s/g, "");
+    if (!/^\s*(?:[0-9A-Fa-f]{2}\s*)*$/.test(text)) throw new RangeError("these are not the digits of bytes");
+    return bytesOfHex(digits);
+  },
+  zfill: (text, count) => text.padStart(count, "0"),
+  strip: (text, characters) => trimmed(text, characters, true, true),
+  lstrip: (text, characters) => trimmed(text, characters, true, false),
+  rstrip: (text, characters) => trimmed(text, characters, false, true),
+  split: (text, separator) => (separator === undefined ? text.trim().split(/\s+/).filter(Boolean) : text.split(separator)),
+  re: {
+    fullmatch: (pattern, text) => matchOf(patternOf(pattern, (inner) => `^(?:${inner})$`).exec(text)),
+    match: (pattern, text) => matchOf(patternOf(pattern, (inner) => `^(?:${inner})`).exec(text)),
+    search: (pattern, text) => matchOf(patternOf(pattern).exec(text)),
+    sub: (pattern, text, other) => other.replace(patternOf(pattern, undefined, "g"), text),
+    split: (pattern, text) => text.split(patternOf(pattern)),
+    finditer: (pattern, text) => [...text.matchAll(patternOf(pattern, undefined, "g"))].map(matchOf),
+  },
+};
 
 const WIDE = 6;
 
@@ -1462,6 +1638,8 @@ function contentOf(value, bytes) {
   }
 }
 
+const numberOf = (value, bytes) => contentOf(value, bytes) ?? bytes;
+
 function numberOfContent({ value, reserved }, content, raw, image) {
   if (content === null || (reserved && value.kind === "text")) return image ?? raw;
   return value.kind === "boolean" && !reserved && (content === 0 || content === 1) ? content === 1 : content;
@@ -1481,19 +1659,19 @@ function run(device, record, parts, data, start, stop, path, rows) {
   const beside = new Map();
   let at = start;
   for (const name of record.inner?.sent ?? record.fields.map((field) => field.name)) {
-    const field = formOfField(record, record.named.get(name), values);
+    const field = formOfField(record, record.named(name), values);
     const isOpen = field.span || field.count === undefined;
     const { size, elements, numbers } = byName.get(name) ?? { size: isOpen ? stop - at : field.size * field.count, elements: [] };
     const count = numbers ?? field.count ?? Math.floor(size / field.size);
     const all = field.isList ? new Array(count).fill(field.size) : [size];
-    const contents = runEach(device, field, data, at, elements.length ? elements : all, path, rows, beside);
+    const contents = runElements(device, field, data, at, elements.length ? elements : all, path, rows, beside);
     values.set(name, field.isList ? contents : contents[0]);
     at += size;
   }
   return values;
 }
 
-function runEach(device, field, data, start, sizes, path, rows, beside) {
+function runElements(device, field, data, start, sizes, path, rows, beside) {
   let stop = start;
   return sizes.map((size, index) => {
     const offset = stop;
@@ -1502,7 +1680,9 @@ function runEach(device, field, data, start, sizes, path, rows, beside) {
     const record = field.record && device.records.get(field.record);
     if (record) return run(device, record, field.parts, data, offset, stop, `${own}.`, rows);
     const [first, last] = field.packing ? packedPlace(field.packing, index).map((at) => start + at) : [offset, stop];
-    const row = { ...loaded(field, data.subarray(first, last), index), path: own, index, offset: first, beside };
+    const variable = { field, value: field.value, exponent: field.exponent };
+    const { raw, image, content, number } = loaded(field, data.subarray(first, last), index);
+    const row = { field, raw, image, content, number, variable, path: own, index, offset: first, rowsBeside: beside };
     if (index * (field.packing?.bits ?? 0) % 8) {  // the row of the number before it has the byte that both share
       row.raw = row.raw.subarray(1);
       row.offset++;
@@ -1513,6 +1693,494 @@ function runEach(device, field, data, start, sizes, path, rows, beside) {
   });
 }
 
+class Place {
+  constructor(data, start, stop) {
+    Object.assign(this, { data, start, stop });
+  }
+}
+
+const fieldProgram = (device, record, field) => ({ device, field });
+
+function runEach({ device, field }, { data, start }, sizes, rows, rowsBeside) {
+  return runElements(device, field, data, start, sizes, "", rows, rowsBeside);
+}
+
+function partOffset(part, length) {
+  return part.offset >= 0 ? part.offset : length + part.offset;
+}
+
+function sliceOf(data, start, stop) {
+  const bound = (at) => Math.max(0, at < 0 ? data.length + at : Math.min(at, data.length));
+  const [first, last] = [bound(start), stop === undefined ? data.length : bound(stop)];
+  return data.subarray(first, Math.max(first, last));
+}
+
+function checksumOf(part, data) {
+  const covered = sliceOf(data, part.start ?? 0, part.stop);
+  return Uint8Array.from(checksumBytes(part, covered, 0, covered.length));
+}
+
+function lengthNumber(part, length) {
+  const units = (length - (part.base ?? 0)) / (part.unitSize ?? 1);
+  const [low, high] = typeBounds(part.value);
+  return Number.isInteger(units) && low <= units && units <= high ? units : undefined;
+}
+
+function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
+  if (digits) return [least, most];
+  switch (kind) {
+    case "boolean": return [0, 1];
+    case "integer": return wholeBounds(8 * size, signed).map((bound) => (size > 6 ? bound : Number(bound)));
+    default: throw new RangeError(`no whole number has the kind ${kind}`);
+  }
+}
+
+
+const [CAN_EXTENDED, CAN_REMOTE, CAN_HEADER] = [2 ** 31, 2 ** 30, 8];
+const EscapeError = CodecError;
+
+class Ranges {
+  constructor(intervals) {
+    this.intervals = intervals;
+  }
+
+  has(number) {
+    return isWithin(this.intervals, number);
+  }
+
+  text() {
+    return intervalsText(this.intervals);
+  }
+}
+
+class Escape {
+  constructor(data) {
+    Object.assign(this, data);
+    this.fieldsSize = (data.fields ?? []).reduce((sum, [size]) => sum + size, 0);
+  }
+
+  isRemote(bytes) {
+    return isRemoteRequest(bytes, this.remote ?? -1);
+  }
+
+  byteText(position) {
+    return `byte ${position - this.fieldsSize} of the data`;
+  }
+
+  most(size) {
+    if (this.method === "can") return size - this.fieldsSize + CAN_HEADER;
+    return size + (this.growth ? Math.floor(size / this.growth) : 0) + (this.method === "cobs" ? 1 : 0);
+  }
+
+  headerFault(bytes) {
+    try {
+      return this.bytes.walk(bytes, () => {});
+    } catch (error) {
+      return error.detail;
+    }
+  }
+}
+
+function originalPlaces(escape, data) {
+  const places = [];
+  escape.bytes.walk(data, (byte, place) => places.push([byte, place]));
+  return places;
+}
+
+class PartLayout {
+  constructor(data) {
+    Object.assign(this, { unitSize: 1, base: 0, ...data, part: this });
+  }
+
+  at(length) {
+    return partOffset(this, length);
+  }
+
+  checksum(data) {
+    return checksumOf(this, data);
+  }
+
+  number(length) {
+    return lengthNumber(this, length);
+  }
+
+  numberText(number) {
+    const { size, value, numberSize = size } = this;
+    if (value.digits === "decimal") return String(number).padStart(size, "0");
+    return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * numberSize, "0")}`;
+  }
+
+  read(bytes) {
+    if (this.value.digits) return bytes.length === this.size ? digitsNumber(this.value, bytes) : undefined;
+    return wholeOf(bytes, this.order === "little" ? "little" : "big", this.value.signed);
+  }
+}
+
+class FrameLayout {
+  constructor(data) {
+    Object.assign(this, data);
+    this.escape = data.escape ? new Escape(data.escape) : null;
+    [this.header, this.trailer] = [data.header, data.trailer].map((parts) => parts.map((part) => new PartLayout(part)));
+    this.parts = [...this.header, ...this.trailer];
+    this.checksums = data.checksums.map((name) => this.parts.find((part) => part.name === name));
+    this.lengths = this.header.filter((part) => part.role === "length");
+  }
+
+  role(role) {
+    return this.parts.find((part) => part.role === role);
+  }
+
+  numbers(data) {
+    const parts = this.header.filter(({ value, offset, size }) => value && offset + size <= data.length);
+    return py.dict(parts.map((part) => [part.name, part.read(data.subarray(part.offset, part.offset + part.size)) ?? -1]));
+  }
+
+  statedNumber({ role }, number) {
+    const hasRemote = role === "code" && this.escape?.remote !== undefined;
+    return hasRemote ? onBits(number, CAN_REMOTE, (bits, flag) => bits & ~flag) : number;
+  }
+}
+
+class LinkLayout {
+  constructor(data, messages) {
+    const { carried, ...rest } = data;
+    const { exception, addresses, preamble } = rest;
+    Object.assign(this, { ...rest, indexes: {}, link: this, messages, openings: py.dict(Object.entries(data.openings ?? {})) });
+    this.isCan = data.request.escape?.method === "can";
+    this.delimiters = Object.fromEntries(Object.entries(data.delimiters).map(([direction, marks]) => [direction, marks.map(bytesOfHex)]));
+    [this.request, this.response] = [new FrameLayout(data.request), new FrameLayout(data.response)];
+    this.escape = this.request.escape;
+    this.carriedMessages = Object.fromEntries(Object.entries(carried)
+      .map(([direction, names]) => [direction, py.dict(names.map((name) => [name, messages.get(name)]))]));
+    this.preamble = preamble && { ...preamble, surplus: (frame) => preambleSurplus(preamble, frame) };
+    this.exceptionResponse = exception && { ...exception, isMarked: (code, numbers) => isException(exception, code, numbers) };
+    this.mark = exception?.mark && { isIn: (bytes) => py.equal(bytes.subarray(exception.mark.offset, exception.mark.offset + exception.mark.bytes.length), Uint8Array.from(exception.mark.bytes)) };
+    this.unitAddresses = addresses && { ...addresses, ranges: addresses.ranges && new Ranges(addresses.ranges) };
+    this.hasUncodedExceptions = Boolean(exception) && !this.response.role("code");
+    this.subcodes = Object.fromEntries(Object.entries(data.subcodes).map(([direction, shared]) => [direction, new Map(shared.map((own) => [
+      own.code, { ...own, named: new Map(own.messages.map(([number, name]) => [number, messages.get(name)])) },
+    ]))]));
+  }
+
+  frame(direction) {
+    return this[direction];
+  }
+
+  marks(direction) {
+    return this.delimiters[direction];
+  }
+
+  carried(direction) {
+    return this.carriedMessages[direction];
+  }
+
+  directionName(direction) {
+    return this.directionNames[direction];
+  }
+
+  codeText({ name }, direction) {
+    return this.codes[direction][name];
+  }
+
+  byCode(carrying, direction) {
+    const index = (this.indexes[`${carrying} ${direction}`] ??= new Map());
+    for (const message of index.size ? [] : this.carried(carrying).values()) {
+      const code = message.codeOf(direction);
+      index.set(code, [...(index.get(code) ?? []), message]);
+    }
+    return index;
+  }
+
+  ambiguousCodes(direction) {
+    const codes = direction === "response" ? this.ambiguous ?? [] : [];
+    return (this.indexes[direction] ??= py.dict(codes.map((code) => [code, this.byCode(direction, direction).get(code)])));
+  }
+
+  isGuessed(direction, message) {
+    return !this[direction].role("code") || this.ambiguousCodes(direction).has(this.messages.get(message)?.codeOf(direction));
+  }
+
+  messageWithCode(code, direction, data, asked) {
+    const messages = this.byCode(direction, direction).get(exactWhole(code)) ?? [];
+    if (messages.length < 2) return messages[0];
+    if (this.ambiguousCodes(direction).has(exactWhole(code))) return messages.find(({ name }) => name === asked);
+    const shared = this.subcodes[direction].get(exactWhole(code));
+    if (!shared) return undefined;
+    if (data.length < shared.offset + shared.size) return shared.named.values().next().value;
+    return shared.named.get(exactWhole(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
+  }
+
+  refusedMessage(code, asked) {
+    const messages = this.byCode("request", "response").get(exactWhole(code)) ?? [];
+    return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
+  }
+}
+
+function preambleSurplus({ byte, least, most }, frame) {
+  const other = frame.findIndex((own) => own !== byte);
+  return Math.max(0, Math.min((other < 0 ? frame.length : other) - least, most - least));
+}
+
+function isException({ code: own, flag, part, normal }, code, numbers) {
+  if (part) return numbers.has(part) && !isWithin(normal, numbers.get(part));
+  return own === undefined ? onBits(code, flag, (bits, mask) => bits & mask) !== 0 : code === own;
+}
+
+const repeatedParts = (link) => link.repeated.map((names) => names.map((name) => ({ name })));
+
+const canFrameBytes = (identifier, isExtended, isRemote, dlc, data) => canBytes({ identifier, isExtended, isRemote, dlc, data });
+
+
+const [BIT, BYTE, WORD] = ["bit", "byte", "word"];
+
+const presenceLayout = (presence) => ({
+  unit: 1,
+  plus: 0,
+  ...presence,
+  numbers: Boolean(presence.numbers),
+  fits: (number, items) => fits(presence, number, items),
+  bitsText: (content) => bitsText(presence, content),
+});
+
+function fieldLayout(field, inner) {
+  const { repeat, measures, presence, count, valueBytes = [] } = field;
+  const [set, part, number] = field.value?.parameter ?? [];
+  const parameter = set && { set, part, number, sizes: valueBytes[2] ? { by: valueBytes[2] } : null };
+  const [low, high] = repeat ?? [count || 1, count || 1];
+  const [kind, name, plus = 0] = measures ?? [];
+  const measure = { of: kind, field: name, plus, number: (items, size) => (kind === "bytes" ? items * size : items) + plus };
+  return {
+    ...field,
+    field: { ...field, repeat: repeat ? { low, high } : null, measures: measures ? measure : null },
+    value: field.value && { ...field.value, parameter },
+    sizes: py.dict(valueBytes[3] ?? []),
+    carriesBytes: valueBytes.length > 0,
+    bounds: [low, high],
+    end: count === undefined ? undefined : field.offset + field.size * count,
+    splitsRecord: field.cases,
+    varies: Boolean(inner?.lists.some((list) => list.name === field.name)),
+    countsSent: Boolean(inner?.lists.some((list) => list.sentPlus !== undefined && list.countName === field.name)),
+    presence: presence && presenceLayout(presence),
+  };
+}
+
+class InnerLists {
+  constructor(data) {
+    this.data = data;
+    this.lists = data.lists.map((list) => ({
+      ...list,
+      count: list.countName,
+      countAt: list.at,
+      plus: list.plus ?? 0,
+      continuation: list.more,
+      packing: list.packing && { number: list.packing },
+      presence: list.presence && presenceLayout(list.presence),
+    }));
+  }
+
+  extentsIn(data) {
+    const { extents, fault } = extentsIn(this.data, data);
+    return [extents, fault];
+  }
+
+  placeInData(extents, offset) {
+    return placeAround(this.data, extents, offset);
+  }
+}
+
+class RecordLayout {
+  constructor(data) {
+    Object.assign(this, { ...data, record: this });
+    this.fields = data.fields.map((own, number) => {
+      const field = fieldLayout(own, data.inner);
+      const span = data.spans?.[number];
+      if (own.forms) field.forms = new Map(own.forms.flatMap(([numbers, form]) => numbers.map((number) => [BigInt(number), fieldLayout(form, data.inner)])));
+      return span?.most === undefined ? field : { ...field, span };
+    });
+    this.byName = new Map(this.fields.map((field) => [field.name, field]));
+    this.selector = this.byName.get(data.selector) ?? null;
+    this.innerLists = data.inner ? new InnerLists(data.inner) : null;
+    this.sentFields = data.inner ? data.inner.sent.map((name) => this.byName.get(name)) : this.fields;
+    this.spans = data.spans?.map((span) => ({ plus: 0, ...span, value: span.most === undefined ? null : { width: span.most } })) ?? [];
+    this.forms = new Map();
+    for (const [numbers, form] of data.chosen ?? []) {
+      const inner = new RecordLayout(form);
+      for (const number of numbers) this.forms.set(BigInt(number), inner);
+    }
+  }
+
+  named(name) {
+    return this.byName.get(name);
+  }
+
+  ofData(data) {
+    if (!this.selector) return this;
+    const { offset, size, value } = this.selector;
+    if (data.length < offset + size) return undefined;
+    return this.forms.get(unsignedOf(inOrder(value, data.subarray(offset, offset + size)), "big"));
+  }
+
+  decidedBy(values) {
+    return { named: (name) => formOfField(this, this.byName.get(name), values) };
+  }
+}
+
+function formOfField(record, field, values) {
+  if (!field.forms) return field;
+  const number = values.get(field.by) ?? record.byName.get(field.by).value.const;
+  return number === undefined ? undefined : formOfNumber(field, number);
+}
+
+function formOfNumber({ forms, mask }, number) {
+  return forms.get(mask === undefined ? BigInt(number) : BigInt(number) & BigInt(mask));
+}
+
+const spaced = (access) => ({ ...access, space: access.space ?? "" });
+
+class Message {
+  constructor(data) {
+    Object.assign(this, { ...data, message: this, isRequested: !data.unrequested, hasResponseCode: data.responseCode !== undefined });
+    [this.request, this.response] = [new RecordLayout(data.request), new RecordLayout(data.response)];
+    this.singleAccess = data.access && spaced(data.access);
+    this.accesses = (data.steps ?? (data.access ? [data.access] : [])).map(spaced);
+  }
+
+  data(direction) {
+    return this[direction];
+  }
+
+  codeOf(direction) {
+    return direction === "response" ? this.responseCode ?? this.code : this.code;
+  }
+}
+
+function placedValue(value) {
+  let written;
+  return { ...value, forWriting: () => (written ??= forWriting(value)), writeSwapped: (isSwapped) => isSwapped };
+}
+
+class RegisterLayout {
+  constructor(data) {
+    Object.assign(this, { space: "", access: "", elementSources: [], swapped: false, ...data, register: this, indexFrom: data.first });
+    this.value = placedValue(data.value);
+  }
+}
+
+class Table {
+  constructor(data, records) {
+    Object.assign(this, { space: "", countBy: "", baseBy: "", ...data, table: this, indexFrom: data.first });
+    this.record = data.fields.map(({ path, record, field, offset, words, access = "", atomic = false, exponent }) => {
+      const fieldNamed = (name) => {
+        const own = records.get(record).named(name);
+        return { ...own, field: { ...own.field, atomic }, value: placedValue(own.value), swapped: false };
+      };
+      const beside = () => exponent && { path, field: fieldNamed(exponent[1]), offset: exponent[0], words: 0, access: () => access };
+      return { path, field: fieldNamed(field), offset, words, access: () => access, beside };
+    });
+  }
+}
+
+const nestedFields = (record) => record;
+
+function movingTables({ tables, registers }) {
+  const moving = tables.values().filter(({ baseBy }) => baseBy);
+  return py.dict(moving.map(({ name, baseBy }) => [name, registers.find((register) => register.name === baseBy)]));
+}
+
+class ByIdentity {
+  constructor() {
+    this.results = new WeakMap();
+  }
+
+  getOrCompute(key, compute) {
+    if (!this.results.has(key)) this.results.set(key, compute(key));
+    return this.results.get(key);
+  }
+}
+
+const extents = extentsOf;
+const packedSize = (count) => Math.ceil(Number(count) / 8);
+
+const citations = (source) => (Array.isArray(source) ? source.join("; ") : source ?? "");
+
+const hasWordDigits = ({ value }) => Boolean(value?.digits);
+
+function wordBytes(field, digits) {
+  if (!hasWordDigits(field)) return digits;
+  const letters = field.value.digits === "upper_hex" ? /^[0-9A-F]*/ : /^[0-9a-f]*/;
+  const { length } = letters.exec(latinOf(digits))[0];
+  return bytesOfHex(latinOf(digits.subarray(0, length - length % field.size)));
+}
+
+const unpackedBits = (bytes) => [...bytes].flatMap((byte) => Array.from({ length: 8 }, (_, bit) => (byte >> bit) & 1));
+
+const optionText = (name) => name.replaceAll("_", "-");
+
+const parameterValue = (value, byteOrder) => ({ ...value, byteOrder, encoding: value.kind, forWriting: () => ({ ...forWriting(value), byteOrder }) });
+
+class Parameter {
+  constructor(data) {
+    Object.assign(this, { count: 1, ...data, value: parameterValue(data.value, data.byteOrder) });
+    this.subindices = data.subindices?.map((own) => ({ ...own, value: parameterValue(own.value, own.byteOrder) })) ?? [];
+  }
+
+  element(index) {
+    return this.subindices.find(({ indices }) => isWithin(indices, index));
+  }
+}
+
+class ParameterSet {
+  constructor(data) {
+    Object.assign(this, data, { parameters: data.parameters.map((parameter) => new Parameter(parameter)) });
+  }
+
+  atPlace(place) {
+    let rest = place;
+    for (const parameter of this.parameters) {
+      if (rest < parameter.count) return [parameter, parameter.number + rest];
+      rest -= parameter.count;
+    }
+    return null;
+  }
+
+  numbered(number) {
+    return this.parameters.find((own) => own.number <= number && number < own.number + own.count);
+  }
+
+  holds(number) {
+    return Boolean(this.numbered(number)) || isWithin(this.numbers ?? [], number);
+  }
+
+  numberText(number) {
+    if (!this.digits) return String(number);
+    const [least, base, upper, after] = this.digits;
+    const digits = BigInt(number).toString(base).padStart(least, "0");
+    return `${this.printedAs ?? ""}${upper ? digits.toUpperCase() : digits}${after}`;
+  }
+}
+
+const isText = (encoding) => encoding === "text";
+
+const COUNTS = ["integer", "boolean"];
+
+function readAgain(device, value, field, raw, number, size) {
+  const withOrder = (bytes, order) => [{ ...value, order }, bytes, "", false];
+  if (field.valueBytes) {
+    if (size !== value.size) return null;
+    const [own, words] = field.valueBytes;
+    const order = value.byteOrder ?? own;
+    const hasWords = value.size > 2 && value.size % 2 === 0;
+    return withOrder(raw.subarray(0, size), orderOf(value, order, hasWords && Boolean(words) && words !== order));
+  }
+  const { kind, digits } = field.value;
+  const areCounts = COUNTS.includes(kind) && COUNTS.includes(value.kind);
+  if (!digits && value.size === field.size && (areCounts || kind === value.kind || (kind !== "float" && value.kind !== "float"))) {
+    return withOrder(raw, orderOf(value, ...field.valueOrder));
+  }
+  const [low, high] = areCounts && isWhole(number) ? typeBounds(value) : [1, 0];
+  return low > number || number > high ? null : withOrder(bytesOfNumber(number, value.size, "big", value.signed));
+}
+
 const WIRE = {
   adding, avoiding, canIdentifier, cobs, crc16, crcOf, fletcherOf, followedBy, inserting, lrc, replacing, sum8, swapping, totalOf,
 };
@@ -1520,25 +2188,28 @@ const WIRE = {
 class ExplainedDevice {
   constructor(dataOf) {
     const data = dataOf(WIRE);
-    this.data = data;
+    const indexed = (entries, make) => py.dict(Object.entries(entries).map(([name, entry]) => [name, make(entry)]));
+    Object.assign(this, { data, device: this, id: data.device });
     this.enums = new Map(Object.entries(data.enums).map(([name, listing]) => [name, indexedEnum(listing)]));
     this.flags = new Map(Object.entries(data.flags));
-    this.records = new Map(Object.entries(data.records).map(([name, record]) => [name, indexedRecord(record)]));
-    this.messages = new Map(Object.entries(data.messages).map(([name, message]) => [
-      name,
-      { ...message, request: indexedRecord(message.request), response: indexedRecord(message.response) },
-    ]));
-    this.links = new Map(Object.entries(data.links).map(([name, link]) => [name, this.indexedLink(link)]));
-    this.sets = new Map(Object.entries(data.sets));
+    this.records = indexed(data.records, (record) => new RecordLayout(record));
+    this.messages = indexed(data.messages, (message) => new Message(message));
+    this.links = indexed(data.links, (link) => new LinkLayout(link, this.messages));
+    this.units = new Map(this.messages.values().flatMap(({ accesses }) => accesses.map(({ space, unit }) => [space, unit])));
+    this.registers = data.registers.map((register) => new RegisterLayout(register));
+    this.tables = py.dict(data.tables.map((table) => [table.name, new Table(table, this.records)]));
+    this.groups = data.gaps.map(({ space, addresses, reason }) => ({ space, gaps: [{ reason, addresses: { intervals: addresses } }] }));
+    this.parameterSets = indexed(data.sets, (listing) => new ParameterSet(listing));
     this.errataWithin = new Map();
     this.errataOf = new Map();
-    this.readingsOf = new Map();
+    this.examplesOf = new Map();
     for (const [number, { id, fact }] of data.errata.entries()) {
       for (let end = fact.length; end > 0; end = fact.lastIndexOf("/", end - 1)) this.add(this.errataWithin, fact.slice(0, end), id);
       for (const path of new Set([fact, fact.split("/restated/")[0]])) this.add(this.errataOf, path, [number, id]);
     }
     for (const example of data.examples) {
-      this.add(this.readingsOf, example.frame, [example.link, example.direction, example.message ?? "", Boolean(example.error)]);
+      const { link, direction, message = "", error = false } = example;
+      this.add(this.examplesOf, example.frame, { link, direction, message, exceptionResponse: error, frame: bytesOfHex(example.frame) });
     }
   }
 
@@ -1547,44 +2218,23 @@ class ExplainedDevice {
     index.get(key).push(entry);
   }
 
-  indexedLink(link) {
-    const [carried, coded, subcodes, delimiters] = [{}, {}, {}, {}];
-    for (const direction of ["request", "response"]) {
-      const messages = link.carried[direction].map((name) => [name, this.messages.get(name)]);
-      carried[direction] = new Map(messages);
-      coded[direction] = new Map();
-      for (const [, message] of messages) this.add(coded[direction], codeIn(direction, message), message);
-      subcodes[direction] = new Map(link.subcodes[direction].map((shared) => [
-        shared.code, { ...shared, named: new Map(shared.messages.map(([number, name]) => [number, this.messages.get(name)])) },
-      ]));
-      delimiters[direction] = link.delimiters[direction].map(bytesOfHex);
-    }
-    const refused = new Map();
-    for (const [, message] of carried.request) this.add(refused, codeIn("response", message), message);
-    return {
-      ...link,
-      carriedMessages: carried,
-      refusedByCode: refused,
-      messagesByCode: coded,
-      subcodes,
-      delimiters,
-      request: indexedFrame(link.request),
-      response: indexedFrame(link.response),
-    };
+  space(name) {
+    const unit = this.units.get(name) ?? WORD;
+    return { unit, unitSize: unit === BYTE ? 1 : 2 };
   }
 
-  errataAt(path) {
-    return this.errataWithin.get(path) ?? [];
+  spaceName(name) {
+    return name ?? "";
   }
 
-  errataOfWords(facts) {
-    const rows = new Map(facts.flatMap((path) => this.errataOf.get(path) ?? []));
-    return [...rows].sort(([left], [right]) => left - right).map(([, id]) => id);
+  sets(name) {
+    const named = this.parameterSets.get(name);
+    return named ? [named] : this.parameterSets.values().filter((own) => own.space === name);
   }
 
-  setsNamed(name) {
-    const named = this.sets.get(name);
-    return named ? [named] : [...this.sets.values()].filter((words) => words.space === name);
+  parameterAt(name, number) {
+    const own = this.sets(name).find((listing) => listing.holds(Number(number) - listing.base));
+    return own ? [own, Number(number) - own.base] : null;
   }
 }
 
@@ -1598,86 +2248,28 @@ function indexedEnum(listing) {
   return { ...listing, numbers, names };
 }
 
-function indexedRecord(record) {
-  const fields = record.fields.map((field, number) => {
-    const span = record.spans?.[number];
-    const forms = field.forms && new Map(field.forms.flatMap(([numbers, form]) => numbers.map((own) => [BigInt(own), form])));
-    const indexed = forms ? { ...field, forms } : field;
-    return span?.most === undefined ? indexed : { ...indexed, span };
-  });
-  const indexed = { ...record, fields, named: new Map(fields.map((field) => [field.name, field])), forms: new Map() };
-  for (const [numbers, form] of record.chosen ?? []) {
-    const inner = indexedRecord(form);
-    for (const number of numbers) indexed.forms.set(BigInt(number), inner);
-  }
-  return indexed;
+function errataAt(device, path) {
+  return device.errataWithin.get(path) ?? [];
 }
 
-function indexedFrame(frame) {
-  const parts = [...frame.header, ...frame.trailer];
-  return {
-    ...frame,
-    parts,
-    checks: frame.checksums.map((name) => parts.find((part) => part.name === name)),
-    lengths: parts.filter((part) => part.role === "length"),
-    code: parts.find((part) => part.role === "code"),
-    unitAddress: parts.find((part) => part.role === "unit_address"),
-  };
+function errataOfWords(device, facts) {
+  const rows = new Map(facts.flatMap((path) => device.errataOf.get(path) ?? []));
+  return [...rows].sort(([left], [right]) => left - right).map(([, id]) => id);
 }
 
-function codeIn(direction, message) {
-  return direction === "response" ? message?.responseCode ?? message?.code : message?.code;
+function errataOfMessage(device, { errata = [] }) {
+  return errata;
 }
 
-function isAmbiguous({ ambiguous = [] }, direction, code) {
-  return direction === "response" && ambiguous.includes(code);
-}
-
-function messageWithCode(link, direction, code, data, asked) {
-  const messages = link.messagesByCode[direction].get(code) ?? [];
-  if (messages.length < 2) return messages[0];
-  if (isAmbiguous(link, direction, code)) return messages.find(({ name }) => name === asked);
-  const shared = link.subcodes[direction].get(code);
-  if (!shared || !data) return undefined;
-  if (data.length < shared.offset + shared.size) return shared.named.values().next().value;
-  return shared.named.get(exactWhole(unsignedOf(data.subarray(shared.offset, shared.offset + shared.size), shared.order)));
-}
-
-function refusedMessage(link, code, asked) {
-  const messages = link.refusedByCode.get(code) ?? [];
-  return messages.length === 1 ? messages[0] : messages.find(({ name }) => name === asked);
-}
-
-function partNumberText({ size, value, numberSize = size }, number) {
-  if (value.digits === "decimal") return String(number).padStart(size, "0");
-  return `0x${number.toString(16).toUpperCase().padStart(value.digits ? size : 2 * numberSize, "0")}`;
-}
-
-function isException({ code: own, flag, part, normal }, code, number) {
-  if (part) return number(part) !== undefined && !normal.some(([low, high]) => low <= number(part) && number(part) <= high);
-  return own === undefined ? onBits(code, flag, (bits, mask) => bits & mask) !== 0 : code === own;
+function examplesOfBytes(device, frame) {
+  return device.examplesOf.get(hexOf(frame)) ?? [];
 }
 
 function memberOf(listing, number) {
   return typeof number === "number" && !Number.isInteger(number) ? undefined : listing.numbers.get(BigInt(number));
 }
 
-function formOfField(record, field, values) {
-  if (!field.forms) return field;
-  const number = values.get(field.by) ?? record.named.get(field.by).value.const;
-  return number === undefined ? undefined : formOfNumber(field, number);
-}
-
-function formOfNumber({ forms, mask }, number) {
-  return forms.get(mask === undefined ? BigInt(number) : BigInt(number) & BigInt(mask));
-}
-
-function formOfData(record, data) {
-  if (record.selector === undefined) return record;
-  const { offset, size, value } = record.named.get(record.selector);
-  if (data.length < offset + size) return undefined;
-  return record.forms.get(unsignedOf(inOrder(value, data.subarray(offset, offset + size)), "big"));
-}
+const ACCEPTED = ["", "out_of_range"];
 
 const EXACT_DIGITS = 120;
 
@@ -1697,6 +2289,10 @@ function quantityOf(value, number) {
   const share = decimalQuotient(BigInt(number) * BigInt(above), BigInt(below), EXACT_DIGITS);
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
+
+const hasInRanges = (value, number) => isWithin(value.ranges ?? [], number);
+
+const intervalsOf = (value) => value.ranges ?? [];
 
 function exponentApplied(value, exponent, number) {
   const isExponent = isWhole(number) && isWithin(exponent.ranges ?? [], number) && !sentinelOf(exponent, number);
@@ -1719,22 +2315,25 @@ function rangeInUnit(value, ranges) {
   return `${text} ${value.unit ?? ""}`.trim();
 }
 
-function decoded(number, more) {
-  return { number, text: "", meanings: [], verdict: "", reason: "", notes: [], facts: [], ...more };
-}
+class DecodedValue {
+  constructor(number, { text = "", meanings = [], verdict = "", reason = "", notes = [], facts = [] } = {}) {
+    [this.number, this.text, this.meanings, this.verdict, this.reason] = [number, text, meanings, verdict, reason];
+    [this.notes, this.facts] = [notes, facts];
+  }
 
-function judged(value, right, should, reason) {
-  return right
-    ? { ...value, verdict: "right", reason: "" }
-    : { ...value, verdict: sentence(SENTENCES.SHOULD_BE, { expected: should }), reason };
+  judged(isRight, expected, reason) {
+    return py.replace(this, isRight ? { verdict: "right", reason: "" } : { verdict: sentence(SENTENCES.SHOULD_BE, { expected }), reason });
+  }
 }
 
 function faultOf(verdict) {
   return verdict.replace(sentence(SENTENCES.WRONG, { fault: "" }), "");
 }
 
-function meaningOf(name, label, text, bits = "") {
-  return { name: name ?? "", label: label ?? "", text: text ?? "", bits };
+class Meaning {
+  constructor(name, label, text, bits = "") {
+    Object.assign(this, { name: name ?? "", label: label ?? "", text: text ?? "", bits });
+  }
 }
 
 function forWriting(value) {
@@ -1742,29 +2341,29 @@ function forWriting(value) {
   return { ...value, ranges: writeRanges, order: writePlaces };
 }
 
-function decodeAnswer(device, value, bytes, reserved, isTrigger) {
-  let read = decodeValue(device, value, bytes, reserved);
+function decodeAnswer(device, value, bytes, _order, _isSwapped, reserved, isTrigger) {
+  let read = decodeValue(device, value, bytes, "", false, reserved);
   if (read.reason === "wrong_const") {
-    const answer = decodeValue(device, { ...value, const: undefined }, bytes, reserved);
-    read = { ...answer, notes: [...answer.notes, sentence(SENTENCES.IT, { statement: faultOf(read.verdict) })] };
+    const answer = decodeValue(device, { ...value, const: undefined }, bytes, "", false, reserved);
+    read = py.replace(answer, { notes: [...answer.notes, sentence(SENTENCES.IT, { statement: faultOf(read.verdict) })] });
   }
   if (!isTrigger) return read;
-  const { reason } = decodeValue(device, { ...value, const: undefined, enum: undefined }, bytes, reserved);
-  return reason === "unknown_value" ? read : { ...read, verdict: "", reason: "" };
+  const { reason } = decodeValue(device, { ...value, const: undefined, enum: undefined }, bytes, "", false, reserved);
+  return reason === "unknown_value" ? read : py.replace(read, { verdict: "", reason: "" });
 }
 
-function decodeValue(device, value, bytes, reserved = false) {
-  return decodedRow(device, value, loaded({ value, reserved }, bytes));
+function decodeValue(device, value, bytes, _order, _isSwapped, reserved = false) {
+  return decodedRow(device, loaded({ value, reserved }, bytes), value);
 }
 
-function decodedRow(device, value, { field, image, content, number }) {
-  if (field.reserved || value.kind === "bytes") return decoded(number);
+function decodedRow(device, { field, image, content, number }, value) {
+  if (field.reserved || value.kind === "bytes") return new DecodedValue(number);
   if (content === null) {
-    return judged(decoded(number), false, image === null ? value.sentForm ?? value.form : value.form, "unknown_value");
+    return new DecodedValue(number).judged(false, image === null ? value.sentForm ?? value.form : value.form, "unknown_value");
   }
   switch (value.kind) {
     case "boolean": return decodedBoolean(device, value, number);
-    case "text": return decoded(number);
+    case "text": return new DecodedValue(number);
     case "float": return decodedFloat(value, number);
     case "integer": return decodedWhole(device, value, number);
     default: throw new RangeError(`unknown kind: ${value.kind}`);
@@ -1773,38 +2372,38 @@ function decodedRow(device, value, { field, image, content, number }) {
 
 function decodedFloat(value, number) {
   const sentinel = sentinelOf(value, number);
-  if (sentinel) return decoded(number, { meanings: [meaningOf(sentinel.name, "", sentinel.doc)] });
-  const result = decoded(number, { text: value.unit ? `${floatText(number, value.size)} ${value.unit}` : "" });
+  if (sentinel) return new DecodedValue(number, { meanings: [new Meaning(sentinel.name, "", sentinel.doc)] });
+  const result = new DecodedValue(number, { text: value.unit ? `${floatText(number, value.size)} ${value.unit}` : "" });
   if (value.ranges === undefined || isWithin(value.ranges, number)) return result;
-  return judged(result, false, `${intervalsText(value.ranges)} ${value.unit ?? ""}`.trim(), "out_of_range");
+  return result.judged(false, `${intervalsText(value.ranges)} ${value.unit ?? ""}`.trim(), "out_of_range");
 }
 
 function decodedBoolean(device, value, number) {
-  if (typeof number !== "boolean") return judged(decoded(number), false, SENTENCES.TRUTH_NUMBERS, "unknown_value");
-  return value.enum ? { ...namedValue(device, value, Number(number)), number } : decoded(number);
+  if (typeof number !== "boolean") return new DecodedValue(number).judged(false, SENTENCES.TRUTH_NUMBERS, "unknown_value");
+  return value.enum ? py.replace(namedValue(device, value, Number(number)), { number }) : new DecodedValue(number);
 }
 
 function decodedWhole(device, value, number) {
-  if (value.const !== undefined && number != value.const) return judged(decoded(number), false, value.const, "wrong_const");
-  let result = decoded(number, { verdict: value.const === undefined ? "" : "right" });
+  if (value.const !== undefined && number != value.const) return new DecodedValue(number).judged(false, value.const, "wrong_const");
+  let result = new DecodedValue(number, { verdict: value.const === undefined ? "" : "right" });
   const sentinel = sentinelOf(value, number);
-  if (sentinel) return { ...result, meanings: [meaningOf(sentinel.name, "", sentinel.doc)] };
+  if (sentinel) return py.replace(result, { meanings: [new Meaning(sentinel.name, "", sentinel.doc)] });
   if (value.enum) {
     const named = namedValue(device, value, number);
-    result = { ...named, text: inUnit(value, number), verdict: named.verdict || result.verdict };
+    result = py.replace(named, { text: inUnit(value, number), verdict: named.verdict || result.verdict });
   } else if (value.flags) {
     const word = device.flags.get(value.flags);
     const meanings = setBitsOf(device, word, number);
     const notes = word.remark && meanings.some(({ bits }) => bits) ? [word.remark] : [];
-    result = { ...result, meanings, notes, facts: [word.path] };
+    result = py.replace(result, { meanings, notes, facts: [word.path] });
   } else {
-    result = { ...result, text: inUnit(value, number) };
+    result = py.replace(result, { text: inUnit(value, number) });
   }
   if (!result.reason && value.ranges !== undefined && !isWithin(value.ranges, number)) {
-    result = judged(result, false, rangeInUnit(value, value.ranges), "out_of_range");
+    result = result.judged(false, rangeInUnit(value, value.ranges), "out_of_range");
   }
   const bit = !result.reason && value.flags && refusedBitOf(device.flags.get(value.flags), number);
-  if (bit) result = judged(result, false, `${bit.name} ${rangeInUnit(bit, bit.ranges)}`, "out_of_range");
+  if (bit) result = result.judged(false, `${bit.name} ${rangeInUnit(bit, bit.ranges)}`, "out_of_range");
   return result;
 }
 
@@ -1813,11 +2412,11 @@ function namedValue(device, value, number) {
   const member = memberOf(listing, number);
   if (!member && listing.open) {
     const note = sentence(SENTENCES.UNLISTED_MEMBER, { enum: listing.name, number });
-    return decoded(number, { notes: [note], facts: [listing.path] });
+    return new DecodedValue(number, { notes: [note], facts: [listing.path] });
   }
-  const meanings = member && [meaningOf(member.name, member.label, member.problem || member.doc)];
-  const result = decoded(number, member && { meanings, notes: member.notes ?? [], facts: [listing.path, member.path] });
-  return member && (listing.open || !member.unavailable) ? result : judged(result, false, listing.taken, "unknown_value");
+  const meanings = member && [new Meaning(member.name, member.label, member.problem || member.doc)];
+  const result = new DecodedValue(number, member && { meanings, notes: member.notes ?? [], facts: [listing.path, member.path] });
+  return member && (listing.open || !member.unavailable) ? result : result.judged(false, listing.taken, "unknown_value");
 }
 
 function setBitsOf(device, word, number) {
@@ -1830,11 +2429,11 @@ function setBitsOf(device, word, number) {
     if (count || ((bit.enum || bit.isNumber) && !bit.reserved)) meanings.push(bitMeaning(device, bit, count));
   }
   for (let at = 0; unknown >> BigInt(at); at++) {
-    if ((unknown >> BigInt(at)) & 1n) meanings.push(meaningOf("", "", SENTENCES.UNLISTED_BIT, String(at)));
+    if ((unknown >> BigInt(at)) & 1n) meanings.push(new Meaning("", "", SENTENCES.UNLISTED_BIT, String(at)));
   }
   for (const state of word.states ?? []) {
     if ((raw & BigInt(state.mask ?? 0)) === BigInt(state.value ?? 0)) {
-      meanings.push(meaningOf(state.name, state.label, state.text));
+      meanings.push(new Meaning(state.name, state.label, state.text));
     }
   }
   return meanings;
@@ -1874,610 +2473,273 @@ function bitMeaning(device, bit, number) {
   const runs = runsOf(bit).map(([first, width]) => (width === 1 ? String(first) : `${first}..${first + width - 1}`));
   const bits = runs.join(", ");
   const member = bit.enum && memberOf(device.enums.get(bit.enum), number);
-  if (member) return meaningOf(`${bit.name}=${member.name}`, member.label || bit.label, member.doc, bits);
+  if (member) return new Meaning(`${bit.name}=${member.name}`, member.label || bit.label, member.doc, bits);
   if (bit.width > 1) {
     const text = [inUnit(bit, number), bit.text].filter(Boolean).join(": ");
-    return meaningOf(`${bit.name}=${number}`, bit.label, text, bits);
+    return new Meaning(`${bit.name}=${number}`, bit.label, text, bits);
   }
-  return meaningOf(bit.name, bit.label, bit.text, bits);
+  return new Meaning(bit.name, bit.label, bit.text, bits);
 }
 
-function repeatedValue(value, should, floatSize = 0) {
-  return judged(value, sameValue(value.number, should), valueText(should, floatSize), "");
+function repeatedValue(read, expected, value) {
+  return read.judged(sameValue(read.number, expected), valueText(expected, value?.kind === "float" ? value.size : 0), "");
+}
+
+function whole(bytes, order) {
+  return wholeOf(bytes, order === "big" ? "big" : "little", false);
+}
+
+
+const [IDENTIFIER, DLC] = ["identifier", "DLC"];
+
+class ExplanationRow {
+  constructor({ kind, offset, length, raw, characters = "", canPlace = "", path = "", fact = "", printedName = "", label = "", doc = "", number = null, value = "", meanings = [], verdict = "", reason = "", source = "", notes = [], errata = [], address = null, words = 0, unit = WORD, access = "" }) {
+    this.kind = kind;
+    this.offset = offset;
+    this.length = length;
+    this.raw = raw;
+    this.characters = characters;
+    this.canPlace = canPlace;
+    this.path = path;
+    this.fact = fact;
+    this.printedName = printedName;
+    this.label = label;
+    this.doc = doc;
+    this.number = number;
+    this.value = value;
+    this.meanings = meanings;
+    this.verdict = verdict;
+    this.reason = reason;
+    this.source = source;
+    this.notes = notes;
+    this.errata = errata;
+    this.address = address;
+    this.words = words;
+    this.unit = unit;
+    this.access = access;
+  }
+
+  get at() {
+    return this.canPlace || py.str(this.offset);
+  }
+
+  get sent() {
+    if (this.canPlace !== IDENTIFIER || !this.characters) {
+      return this.characters;
+    }
+    const number = py.int(py.slice(this.characters.replaceAll(" ", ""), undefined, 8), 16);
+    const identifier = py.without(py.without(number, CAN_EXTENDED), CAN_REMOTE);
+    return py.truth(py.common(number, CAN_EXTENDED)) ? `${py.hexadecimal(identifier, "08X")}` : `${py.hexadecimal(identifier, "03X")}`;
+  }
+
+  get byteText() {
+    if (py.has([IDENTIFIER, DLC], this.canPlace)) {
+      return `the ${this.canPlace}`;
+    }
+    return this.canPlace ? `byte ${this.canPlace} of the data` : `byte ${this.offset}`;
+  }
 }
 
 class Spot {
-  constructor(frame, start, width, places = null, originals = null, escape = null, gap = null) {
-    Object.assign(this, { frame, start, width, places, originals, escape, gap });
+  constructor({ frame, start, width, places = [], originals = Uint8Array.of(), escape = null, gap = null }) {
+    this.frame = frame;
+    this.start = start;
+    this.width = width;
+    this.places = places;
+    this.originals = originals;
+    this.escape = escape;
+    this.gap = gap;
   }
 
-  canPlace(at) {
-    if (this.escape?.method !== "can" || !this.places) return "";
-    const size = identifierSize(this.escape);
-    if (at < size) return "identifier";
-    return isRemoteRequest(this.frame.subarray(this.start), this.escape.remote ?? -1) ? "DLC" : String(at - size);
-  }
-
-  byteText(at) {
-    if (this.escape?.method !== "can") return `byte ${this.place(at, 0).offset}`;
-    return `byte ${at - identifierSize(this.escape)} of the data`;
-  }
-
-  place(at, length) {
-    if (this.places) {
-      const end = this.places.length - 1;
-      const first = this.places[Math.min(at, end)];
-      const after = length && at + length === this.gap ? this.gap : this.places[Math.min(at + length, end)];
-      const offset = this.start + first;
-      const sent = this.frame.subarray(offset, offset + after - first);
-      const isSame = sameBytes(sent, this.originals.subarray(at, at + length));
-      return { offset, length: sent.length, characters: isSame ? "" : hexOf(sent, " "), canPlace: this.canPlace(at) };
+  canPlace(position) {
+    if (this.escape == null || this.escape.method !== "can" || !py.truth(this.places)) {
+      return "";
     }
-    const offset = this.start + at * this.width;
-    const size = length * this.width;
-    const characters = this.width > 1 ? latinOf(this.frame.subarray(offset, offset + size)) : "";
-    return { offset, length: size, characters };
+    if (position < this.escape.fieldsSize) {
+      return IDENTIFIER;
+    }
+    const isRemote = this.escape.isRemote(py.slice(this.frame, this.start));
+    return isRemote ? DLC : py.str(position - this.escape.fieldsSize);
+  }
+
+  byteText(position) {
+    if (this.escape != null && this.escape.method === "can") {
+      return this.escape.byteText(position);
+    }
+    return `byte ${this.place(position, 0)[0]}`;
+  }
+
+  place(position, length) {
+    let offset;
+    if (py.truth(this.places)) {
+      const end = this.places.length - 1;
+      let [first, stop] = [py.item(this.places, py.min(position, end)), py.item(this.places, py.min(position + length, end))];
+      stop = (length && py.equal(position + length, this.gap)) ? this.gap : stop;
+      offset = this.start + first;
+      const escaped = py.slice(this.frame, offset, offset + stop - first);
+      return [offset, escaped.length, !py.equal(escaped, py.slice(this.originals, position, position + length)) ? py.hex(escaped, " ").toUpperCase() : ""];
+    }
+    [offset, length] = [this.start + (position * this.width), length * this.width];
+    const characters = this.width > 1 ? py.decode(py.slice(this.frame, offset, offset + length), "latin-1") : "";
+    return [offset, length, characters];
   }
 }
 
-function sentText({ canPlace, characters }) {
-  if (canPlace !== "identifier" || !characters) return characters;
-  const number = parseInt(characters.replaceAll(" ", "").slice(0, 8), 16);
-  const isLong = number >= 2 ** 31;
-  return (number % 2 ** 30).toString(16).toUpperCase().padStart(isLong ? 8 : 3, "0");
-}
-
-function placeOf({ canPlace, offset }) {
-  return canPlace || String(offset);
-}
-
-function placeText({ canPlace, offset, path }) {
-  const byte = ["identifier", "DLC"].includes(canPlace) ? `the ${canPlace}` : canPlace ? `byte ${canPlace} of the data` : `byte ${offset}`;
-  return path ? `${path} ${canPlace === "identifier" ? "in" : "at"} ${byte}` : byte;
-}
-
-function rowOf(more) {
-  return {
-    kind: "", offset: 0, length: 0, raw: new Uint8Array(), characters: "", canPlace: "", path: "", fact: "",
-    printedName: "", label: "", doc: "", number: null, value: "", meanings: [], verdict: "", reason: "", source: "", notes: [], errata: [],
-    address: null, words: 0, unit: "word", access: "", ...more,
-  };
-}
-
-function factRow(device, kind, path, fact, spot, at, raw, read, outer) {
-  return rowOf({
+function factRow(device, kind, path, fact, spot, position, raw, read, outer) {
+  const [offset, length, characters] = spot.place(position, raw.length);
+  const errata = [...errataAt(device, fact.path), ...errataOfWords(device, read.facts)];
+  return new ExplanationRow({
     kind,
-    ...spot.place(at, raw.length),
+    offset,
+    length,
     raw,
+    characters,
+    canPlace: spot.canPlace(position),
     path,
     fact: fact.path,
-    printedName: fact.printed ?? "",
-    label: fact.label ?? "",
-    doc: fact.doc ?? "",
+    printedName: fact.printed,
+    label: fact.label,
+    doc: fact.doc,
     number: read.number,
     value: read.text,
     meanings: read.meanings,
     verdict: read.verdict,
     reason: read.reason,
-    source: fact.source || outer.source || "",
-    notes: [...(fact.notes ?? []), ...read.notes],
-    errata: [...new Set([...device.errataAt(fact.path), ...device.errataOfWords(read.facts)])],
+    source: citations(py.either(fact.source, () => outer.source)),
+    notes: [...(fact.notes ?? []), ...(read.notes ?? [])],
+    errata: py.tuple(py.dict([...errata].map((key) => [key, null]))),
   });
 }
 
-function wrongRow(spot, at, raw, reason, detail, path = "", fact = "") {
-  return rowOf({ kind: "unexplained", ...spot.place(at, raw.length), raw, path, fact, verdict: sentence(SENTENCES.WRONG, { fault: detail }), reason });
-}
-
-function surplusRow(spot, at, raw) {
-  return wrongRow(spot, at, raw, "wrong_length", sentence(SENTENCES.TOO_MANY, { bytes: byteCount(raw.length) }));
-}
-
-function startRows(parts) {
-  const { link: { preamble }, lead, start } = parts;
-  const rows = preamble ? markRows(parts, "preamble", 0, start.subarray(0, lead), new Uint8Array(lead).fill(preamble.byte)) : [];
-  return [...rows, ...markRows(parts, "start", lead, start.subarray(lead), parts.marks[0])];
-}
-
-function endRows(parts) {
-  const at = parts.frame.length - parts.end.length;
-  const rows = markRows(parts, "end", at, parts.end, parts.marks[1]);
-  if (!parts.surplus.length) return rows;
-  const text = parts.reason === "not_hex" ? SENTENCES.NOT_PAIRS : SENTENCES.CHARACTER_TOO_MANY;
-  const surplus = {
+function wrongRow(spot, position, raw, reason, detail, path = "", fact = "") {
+  const [offset, length, characters] = spot.place(position, raw.length);
+  return new ExplanationRow({
     kind: "unexplained",
-    offset: at - parts.surplus.length,
-    length: parts.surplus.length,
-    raw: parts.surplus,
-    characters: latinOf(parts.surplus),
-    verdict: sentence(SENTENCES.WRONG, { fault: text }),
-    reason: parts.reason,
-  };
-  return [rowOf(surplus), ...rows];
-}
-
-function escapeRow(spot, { path, source = "" }, at, raw) {
-  return rowOf({
-    kind: "mark", offset: spot.start + at, length: raw.length, raw, path: "escape", fact: path, verdict: "right", source,
+    offset,
+    length,
+    raw,
+    characters,
+    canPlace: spot.canPlace(position),
+    path,
+    fact,
+    verdict: py.format(SENTENCES.WRONG, { fault: detail }),
+    reason,
   });
 }
 
-function markRows({ link }, name, offset, raw, should) {
-  if (!should.length) return [];
-  const right = sameBytes(raw, should);
-  return [rowOf({
-    kind: "mark",
-    offset,
-    length: raw.length,
-    raw,
-    characters: link.transmission === "hex_ascii" ? latinOf(raw) : "",
-    path: name,
-    fact: link.path,
-    verdict: right ? "right" : sentence(SENTENCES.SHOULD_BE, { expected: hexOf(should, " ") }),
-    reason: right ? "" : "wrong_mark",
-    source: link.source ?? "",
-  })];
+function surplusRow(spot, position, raw) {
+  const text = py.format(SENTENCES.TOO_MANY, { bytes: byteCount(raw.length) });
+  return wrongRow(spot, position, raw, "wrong_length", text);
 }
 
-const emptied = (data) => Object.fromEntries(Object.entries(data).map(([key, value]) => [key, value === "" ? null : value]));
+const HEX = Uint8Array.of(48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 65, 66, 67, 68, 69, 70, 97, 98, 99, 100, 101, 102);
 
-function rowData({ raw, number, meanings, canPlace, printedName, words, unit, ...row }) {
-  return {
-    ...emptied({ ...row, can_place: canPlace, printed_name: printedName }),
-    raw: hexOf(raw),
-    number: portableValue(number),
-    meanings: meanings.map(emptied),
-    [unit === "byte" ? "size" : `${unit || "word"}s`]: words || null,
-  };
-}
+class Unwrapped {
+  constructor({ link, marks, frame, start, data, surplus, reason, end, preamble = 0 }) {
+    this.link = link;
+    this.marks = marks;
+    this.frame = frame;
+    this.start = start;
+    this.data = data;
+    this.surplus = surplus;
+    this.reason = reason;
+    this.end = end;
+    this.preamble = preamble;
+  }
 
-const HEX_CHARACTERS = new Set(Array.from("0123456789ABCDEFabcdef", (char) => char.charCodeAt(0)));
-
-function leadOf(preamble, frame) {
-  if (preamble === undefined) return 0;
-  const other = frame.findIndex((byte) => byte !== preamble.byte);
-  return Math.max(preamble.least, Math.min(other < 0 ? frame.length : other, preamble.most));
+  get whole() {
+    return this.reason !== "not_hex";
+  }
 }
 
 function unwrapped(link, direction, frame) {
-  const marks = link.delimiters[direction];
-  const lead = leadOf(link.preamble, frame);
-  const start = lead ? frame.subarray(0, lead + marks[0].length) : markOf(frame, marks[0], link.transmission);
-  const after = frame.subarray(start.length);
-  const end = markOf(after.toReversed(), marks[1].toReversed(), link.transmission).toReversed();
-  const inner = frame.subarray(start.length, frame.length - end.length);
+  const marks = link.marks(direction);
+  const lead = link.preamble != null ? (link.preamble.least + link.preamble.surplus(frame)) : 0;
+  const start = py.joined(py.slice(frame, undefined, lead), rowMark(py.slice(frame, lead), marks[0], link.transmission));
+  const end = py.reversed(rowMark(py.reversed(py.slice(frame, start.length)), py.reversed(marks[1]), link.transmission));
+  const inner = py.slice(frame, start.length, frame.length - end.length);
   if (link.transmission === "binary") {
-    return { link, marks, lead, frame, start, data: inner, surplus: inner.subarray(inner.length), reason: "", end, whole: true };
-  }
-  const bad = inner.findIndex((byte) => !HEX_CHARACTERS.has(byte));
-  const good = bad < 0 ? inner.length : bad;
-  const pairs = good - (good % 2);
-  const reason = good < inner.length ? "not_hex" : pairs < good ? "wrong_length" : "";
-  const data = bytesOfHex(latinOf(inner.subarray(0, pairs)));
-  return { link, marks, lead, frame, start, data, surplus: inner.subarray(pairs), reason, end, whole: reason !== "not_hex" };
-}
-
-function markOf(frame, mark, encoding) {
-  const place = frame.subarray(0, mark.length);
-  if (encoding === "binary" || (place.length === mark.length && mark.every((byte, at) => byte === place[at]))) return place;
-  const at = place.findIndex((byte) => HEX_CHARACTERS.has(byte));
-  return frame.subarray(0, at < 0 ? mark.length : at);
-}
-
-function partOffset(part, length) {
-  return part.offset >= 0 ? part.offset : length + part.offset;
-}
-
-function sliceOf(data, start, stop) {
-  const bound = (at) => Math.max(0, at < 0 ? data.length + at : Math.min(at, data.length));
-  const [first, last] = [bound(start), stop === undefined ? data.length : bound(stop)];
-  return data.subarray(first, Math.max(first, last));
-}
-
-function checksumOf(part, data) {
-  const covered = sliceOf(data, part.start ?? 0, part.stop);
-  return Uint8Array.from(checksumBytes(part, covered, 0, covered.length));
-}
-
-function lengthNumber(part, length) {
-  const units = (length - (part.base ?? 0)) / (part.unitSize ?? 1);
-  const [low, high] = typeBounds(part.value);
-  return Number.isInteger(units) && low <= units && units <= high ? units : undefined;
-}
-
-function typeBounds({ kind, size, signed, digits, low: least, high: most }) {
-  if (digits) return [least, most];
-  switch (kind) {
-    case "boolean": return [0, 1];
-    case "integer": return wholeBounds(8 * size, signed).map((bound) => (size > 6 ? bound : Number(bound)));
-    default: throw new RangeError(`no whole number has the kind ${kind}`);
-  }
-}
-
-function originalPlaces(escape, data) {
-  const places = [];
-  escape.bytes.walk(data, (byte, at) => places.push([byte, at]));
-  return places;
-}
-
-function identifierSize({ fields }) {
-  return fields.reduce((sum, [own]) => sum + own, 0);
-}
-
-function parameterNumbered(words, number) {
-  return words.parameters.find((row) => row.number <= number && number < row.number + (row.count ?? 1));
-}
-
-function numberText(words, number) {
-  if (!words.digits) return String(number);
-  const [least, base, upper, after] = words.digits;
-  const digits = BigInt(number).toString(base).padStart(least, "0");
-  return `${words.printedAs ?? ""}${upper ? digits.toUpperCase() : digits}${after}`;
-}
-
-function parameterAt(device, name, wireNumber) {
-  for (const words of device.setsNamed(name)) {
-    const number = Number(wireNumber) - words.base;
-    if (parameterNumbered(words, number) || (words.numbers && isWithin(words.numbers, number))) return { words, number };
-  }
-  return undefined;
-}
-
-class ParameterElement {
-  constructor(words, number, parameter, index = null, subindex = undefined) {
-    Object.assign(this, { words, number, parameter, index, subindex });
-  }
-
-  get fact() {
-    return this.subindex ?? this.parameter;
-  }
-
-  get meaning() {
-    const index = this.index === null ? "" : `[${this.index}]`;
-    const text = sentence(SENTENCES.PARAMETER, { number: numberText(this.words, this.number) + index });
-    if (!this.fact) return meaningOf(this.words.name, "", text);
-    const names = new Set([this.parameter, this.subindex].map((fact) => fact?.name).filter(Boolean));
-    return meaningOf([...names].join("."), this.fact.label, text);
-  }
-
-  get source() {
-    return this.fact?.source || this.parameter?.source || "";
-  }
-}
-
-function elementOf(words, number, parameter, at) {
-  const several = parameter && (parameter.elements !== undefined || parameter.subindices);
-  if (!several || !isWhole(at ?? "")) return new ParameterElement(words, number, parameter);
-  const subindex = parameter.subindices?.find(({ indices }) => isWithin(indices, at));
-  return new ParameterElement(words, number, parameter, at, subindex);
-}
-
-function placedParameter({ parameters }, place) {
-  let rest = place;
-  for (const parameter of parameters) {
-    const { number, count = 1 } = parameter;
-    if (rest < count) return [parameter, number + rest];
-    rest -= count;
-  }
-  return [];
-}
-
-function withParameter(device, row, field, index, known, outer, isRequest) {
-  if (!field.value?.parameter) return row;
-  const [name, part, numberField] = field.value.parameter;
-  if (part === "values") {
-    const [words] = device.setsNamed(name);
-    const [parameter, number] = placedParameter(words, index);
-    if (!parameter) return row;
-    return readAs(device, row, field, new ParameterElement(words, number, parameter), isRequest);
-  }
-  const asked = part === "number" ? row.number : known.get(numberField);
-  const match = isWhole(asked ?? "") ? parameterAt(device, name, asked) : undefined;
-  if (!match) return row;
-  const { words, number } = match;
-  let at = null;
-  if (part === "subindex") {
-    at = row.number;
-  } else if (part !== "number") {
-    const first = known.get(outer.indices?.[numberField]) ?? 0;
-    at = isWhole(first) ? Number(first) + index : null;
-  }
-  const element = elementOf(words, number, parameterNumbered(words, number), at);
-  if (part === "value") {
-    const size = statedSize(field, known);
-    if (size === undefined) return { ...row, meanings: [element.meaning, ...row.meanings] };
-    return readAs(device, row, field, element, isRequest, size);
-  }
-  if (part === "subindex" && element.index === null) return row;
-  return { ...row, meanings: [...row.meanings, element.meaning] };
-}
-
-function statedSize(field, known) {
-  const [, , by, sizes] = field.valueBytes ?? [];
-  if (!by) return field.size;
-  const stated = known.get(by);
-  if (!isWhole(stated ?? "")) return 0;
-  return sizes.find(([number]) => BigInt(stated) === BigInt(number))?.[1];
-}
-
-function readAs(device, row, field, element, isRequest, size = field.size) {
-  const { fact, parameter, meaning } = element;
-  if (!fact || !parameter) return { ...row, meanings: [meaning, ...row.meanings] };
-  const again = row.reason ? undefined : field.valueBytes ? parameterBytes(fact, field, row, size) : bytesAgain(fact.value, field, row);
-  if (!again) {
-    const named = { ...row, meanings: [meaning, ...row.meanings], notes: [...row.notes, ...(fact.notes ?? [])] };
-    if (row.reason || !field.valueBytes || parameter.reserved || fact.reserved) return named;
-    const stated = fact.value.size;
-    if (fact.value.kind === "text" && size < stated) return named;
-    return { ...named, verdict: sentence(SENTENCES.SHOULD_BE, { expected: byteCount(stated) }), reason: "out_of_range" };
-  }
-  const value = { ...(isRequest ? forWriting(fact.value) : fact.value), order: again.order };
-  const read = (isRequest ? decodeValue : decodeAnswer)(device, value, again.bytes, fact.reserved, parameter.trigger);
-  const errata = [...row.errata, ...device.errataAt(parameter.path), ...device.errataOfWords(read.facts)];
-  return {
-    ...row,
-    fact: fact.path,
-    doc: fact.doc || row.doc,
-    number: read.number,
-    value: read.text,
-    meanings: [meaning, ...read.meanings],
-    verdict: read.verdict,
-    reason: read.reason ? "out_of_range" : "",
-    source: element.source || row.source,
-    notes: [...row.notes, ...(fact.notes ?? []), ...read.notes],
-    errata: [...new Set(errata)],
-  };
-}
-
-function parameterBytes({ value, byteOrder }, field, row, size) {
-  if (size !== value.size) return undefined;
-  const [own, words] = field.valueBytes;
-  const order = byteOrder ?? own;
-  const hasWords = value.size > 2 && value.size % 2 === 0;
-  return { bytes: row.raw.subarray(0, size), order: orderOf(value, order, hasWords && Boolean(words) && words !== order) };
-}
-
-const COUNTS = ["integer", "boolean"];
-
-function bytesAgain(value, field, row) {
-  const own = field.value;
-  const areCounts = COUNTS.includes(own.kind) && COUNTS.includes(value.kind);
-  const alike = own.kind === value.kind || areCounts;
-  if (!own.digits && value.size === field.size && (alike || (own.kind !== "float" && value.kind !== "float"))) {
-    return { bytes: row.raw, order: orderOf(value, ...field.valueOrder) };
-  }
-  const [low, high] = areCounts && isWhole(row.number) ? typeBounds(value) : [1, 0];
-  if (low > row.number || row.number > high) return undefined;
-  return { bytes: bytesOfNumber(row.number, value.size, "big", value.signed), order: undefined };
-}
-
-const NOTHING = new Map();
-
-function forbiddenText(operation, access) {
-  if (operation === "write" && access === "ro") return SENTENCES.READ_ONLY;
-  return operation === "read" && access === "wo" ? SENTENCES.WRITE_ONLY : "";
-}
-
-class AddressSpan {
-  constructor(space, address, words, at, data, bits = null, unitSize = 2, digits = null) {
-    Object.assign(this, { space: space ?? "", address, words, at, data, bits, unitSize, digits, end: address + words });
-  }
-
-  get unit() {
-    if (this.bits !== null) return "bit";
-    return this.unitSize === 2 ? "word" : "byte";
-  }
-
-  piece(address, size, skip = 0) {
-    if (this.bits !== null) return this.bitPiece(address - this.address);
-    const start = this.unitSize * (address - this.address) + skip;
-    if (start < 0 || start + size > this.data.length) return undefined;
-    const content = this.data.subarray(start, start + size);
-    if (this.digits) return { at: this.at + 2 * start, raw: this.digits.subarray(2 * start, 2 * (start + size)), content };
-    return { at: this.at + start, raw: content, content };
-  }
-
-  bitPiece(index) {
-    const bit = this.bits[index];
-    if (bit === undefined || bit === null) return undefined;
-    const [at, end] = this.bits.length === 1 ? [0, this.data.length] : [index >> 3, (index >> 3) + 1];
-    return { at: this.at + at, raw: this.data.subarray(at, end), content: Uint8Array.of(bit) };
-  }
-}
-
-function accessedSpan(access, values, asked, at, data, digits) {
-  const value = (name) => (values.has(name) ? values.get(name) : asked.get(name));
-  const start = value(access.start);
-  if (!isWhole(start ?? "")) return null;
-  const spanOf = (...more) => new AddressSpan(access.space, Number(start), ...more);
-  if (access.set !== undefined) {
-    const number = data.length ? values.get(access.values) : undefined;
-    return spanOf(1, at, data, [number == access.clear ? 0 : number == access.set ? 1 : null]);
-  }
-  const [isBits, size] = [access.unit === "bit", access.unit === "byte" ? 1 : 2];
-  const carried = isBits ? 8 * data.length : Math.floor(data.length / size);
-  const count = access.count ? value(access.count) : isBits ? 1 : Math.max(carried, 1);
-  const words = isWhole(count ?? "") ? Number(count) : carried;
-  if (!isBits) return spanOf(words, at, data.subarray(0, carried * size), null, size, digits);
-  return spanOf(words, at, data, Array.from({ length: Math.min(words, carried) }, (_, index) => (data[index >> 3] >> (index & 7)) & 1));
-}
-
-function wordBytes({ value, size }, digits) {
-  const letters = value.digits === "upper_hex" ? "0123456789ABCDEF" : "0123456789abcdef";
-  const numbers = Array.from(digits, (byte) => letters.indexOf(String.fromCharCode(byte)));
-  const wrong = numbers.indexOf(-1);
-  const length = wrong < 0 ? digits.length : wrong;
-  return Uint8Array.from({ length: (Math.floor(length / size) * size) / 2 }, (_, index) => 16 * numbers[2 * index] + numbers[2 * index + 1]);
-}
-
-function accessedSpans({ access: single, steps }, record, start, data, values, asked) {
-  return (steps ?? [single]).flatMap((access) => {
-    if (!access || (asked && !single && access.operation === "write")) return [];
-    const field = single || (access.operation === "read") === Boolean(asked) ? record.named.get(access.values) : undefined;
-    const { offset = 0, size = 0, count } = field ?? { count: 0 };
-    const sent = data.subarray(offset, count === undefined ? data.length : offset + size * count);
-    const digits = field?.value?.digits ? sent : null;
-    const carried = digits ? wordBytes(field, digits) : sent;
-    const span = accessedSpan(access, single || !asked ? values : NOTHING, asked ?? NOTHING, start + offset, carried, digits);
-    return span ? [[access, span]] : [];
-  });
-}
-
-function registerRows(device, span, spot, operation) {
-  const present = occupantsOf(device, span).sort((left, right) => left.address - right.address);
-  const rows = [];
-  let at = span.address;
-  for (const occupant of present) {
-    if (occupant.address > at) rows.push(unlistedRow(device, span, at, occupant.address, spot));
-    at = Math.max(at, occupant.address + occupant.words);
-    const row = registerRow(device, span, occupant, spot, operation);
-    const why = forbiddenText(operation, occupant.access);
-    rows.push(why ? { ...row, notes: [...row.notes, sentence(SENTENCES.IT, { statement: why })] } : row);
-  }
-  if (at < span.end) rows.push(unlistedRow(device, span, at, span.end, spot));
-  return rows;
-}
-
-function occupantAt(device, space, address) {
-  const occupants = occupantsOf(device, new AddressSpan(space, address, 1, 0, new Uint8Array()));
-  return occupants.find((occupant) => occupant.address === address);
-}
-
-function occupantsOf(device, span) {
-  const occupants = [];
-  for (const register of device.data.registers) {
-    if ((register.space ?? "") !== span.space) continue;
-    const end = register.address + (register.count - 1) * register.stride + register.words;
-    if (register.address < span.end && span.address < end) addElements(occupants, register, span);
-  }
-  for (const table of device.data.tables) {
-    const base = baseOf(device, table, span);
-    if (base !== null && (table.space ?? "") === span.space) addFields(occupants, device, { ...table, base }, span);
-  }
-  return occupants;
-}
-
-function baseOf(device, table, span) {
-  if (!table.baseBy) return table.base;
-  const register = device.data.registers.find(({ name }) => name === table.baseBy);
-  if ((register.space ?? "") !== span.space) return null;
-  const { address, value } = register;
-  const piece = span.piece(address, value.size);
-  const number = piece && contentOf(value, piece.content);
-  return isWhole(number ?? "") && value.ranges.some(([low, high]) => low <= number && number <= high) ? Number(number) : null;
-}
-
-function unknownBases(device, span, first, end) {
-  return device.data.tables.flatMap((table) => {
-    if (!table.baseBy || (table.space ?? "") !== span.space || baseOf(device, table, span) !== null) return [];
-    const after = (table.count - 1) * table.stride + table.words;
-    const { ranges } = device.data.registers.find(({ name }) => name === table.baseBy).value;
-    const isNear = ranges.some(([low, high]) => low < end && first < high + after);
-    return isNear ? [sentence(SENTENCES.ELEMENTS_OF_TABLE, { table: table.name, register: table.baseBy })] : [];
-  });
-}
-
-function addElements(occupants, register, span) {
-  const [first, last] = nearElements(register.address, register, span);
-  for (let number = first; number < last; number++) {
-    const source = register.elementSources?.[number];
-    occupants.push({
-      address: register.address + number * register.stride,
-      words: register.words,
-      path: register.count === 1 ? register.name : `${register.name}[${register.first + number}]`,
-      fact: source === undefined ? register : { ...register, source },
-      outer: register,
-      value: register.value,
-      access: register.access ?? "",
-      reserved: false,
-      atomic: Boolean(register.atomic),
-      trigger: Boolean(register.trigger),
+    return new Unwrapped({
+      link,
+      marks,
+      frame,
+      start,
+      data: inner,
+      surplus: Uint8Array.of(),
+      reason: "",
+      end,
+      preamble: lead,
     });
   }
+  const good = py.next([...py.enumerate(inner)].filter(([index, char]) => !py.has(HEX, char)).map(([index, char]) => index), inner.length);
+  const pairs = Math.floor(good / 2) * 2;
+  const reason = good < inner.length ? "not_hex" : pairs < good ? "wrong_length" : "";
+  const data = py.bytesOfHex(py.decode(py.slice(inner, undefined, pairs), "ascii"));
+  return new Unwrapped({ link, marks, frame, start, data, surplus: py.slice(inner, pairs), reason, end });
 }
 
-function addFields(occupants, device, table, span) {
-  const [start, last] = nearElements(table.base, table, span);
-  if (start === last) return;
-  for (let number = start; number < last; number++) {
-    const base = table.base + number * table.stride;
-    for (const { path, record, field: name, offset, words, access = "", atomic = false, exponent } of table.fields) {
-      const address = base + (offset >> 1);
-      if (address >= span.end || span.address >= address + words) continue;
-      const { named } = device.records.get(record);
-      const field = named.get(name);
-      occupants.push({
-        address,
-        words,
-        path: `${table.name}[${table.first + number}].${path}`,
-        fact: field,
-        outer: table,
-        value: field.value,
-        skip: offset & 1,
-        exponent: exponent && { address: base + (exponent[0] >> 1), skip: exponent[0] & 1, value: named.get(exponent[1]).value },
-        element: number,
-        access,
-        reserved: Boolean(field.reserved),
-        atomic,
-        trigger: false,
-      });
-    }
+function rowMark(frame, mark, encoding) {
+  if (py.startswith(frame, mark) || encoding === "binary") {
+    return py.slice(frame, undefined, mark.length);
   }
+  return py.slice(frame, undefined, py.next([...py.enumerate(py.slice(frame, undefined, mark.length))].filter(([index, char]) => py.has(HEX, char)).map(([index, char]) => index), mark.length));
 }
 
-function nearElements(base, { stride, words, count }, span) {
-  const first = Math.max(0, Math.floor((span.address - base - words) / stride) + 1);
-  return [first, Math.max(first, Math.min(count, Math.ceil((span.end - base) / stride)))];
-}
-
-function registerRow(device, span, occupant, spot, operation) {
-  const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
-  let read;
-  if (piece) {
-    const own = operation === "write" ? forWriting(occupant.value) : occupant.value;
-    const value = byExponent(device, span, occupant, own);
-    const decode = operation === "write" ? decodeValue : decodeAnswer;
-    read = decode(device, value, piece.content, occupant.reserved, occupant.trigger);
-  } else {
-    const inside = span.address <= occupant.address && occupant.address + occupant.words <= span.end;
-    const partial = occupant.atomic ? SENTENCES.PARTIAL_ATOMIC : SENTENCES.PARTIAL;
-    read = decoded(null, { notes: inside ? [] : [sentence(partial, span)] });
+function* startRows(parts) {
+  const preamble = parts.link.preamble;
+  const size = parts.preamble;
+  if (preamble != null) {
+    yield* rowMarkRow(parts, "preamble", 0, py.slice(parts.start, undefined, size), py.bytes(py.repeated([preamble.byte], size)));
   }
-  const { at, raw } = piece ?? { at: 0, raw: new Uint8Array() };
-  const row = factRow(device, "register", occupant.path, occupant.fact, spot, at, raw, read, occupant.outer);
-  const place = { address: occupant.address, words: occupant.words, unit: span.unit, access: occupant.access };
-  const notes = [...row.notes, ...absence(device, span, occupant)];
-  return { ...row, ...place, notes, ...(piece ? {} : { offset: 0, canPlace: "" }) };
+  yield* rowMarkRow(parts, "start", size, py.slice(parts.start, size), parts.marks[0]);
 }
 
-function absence(device, span, { outer, element }) {
-  const count = outer.countBy && device.data.registers.find(({ name }) => name === outer.countBy);
-  const piece = count && span.piece(count.address, count.value.size);
-  if (!piece) return [];
-  const number = contentOf(count.value, piece.content);
-  return isWhole(number) && element >= number ? [sentence(SENTENCES.ABSENT_ELEMENT, { count: count.name, number })] : [];
+function* endRows(parts) {
+  const offset = parts.frame.length - parts.end.length;
+  if (py.truth(parts.surplus)) {
+    const text = parts.whole ? SENTENCES.CHARACTER_TOO_MANY : SENTENCES.NOT_PAIRS;
+    yield new ExplanationRow({
+      kind: "unexplained",
+      offset: offset - parts.surplus.length,
+      length: parts.surplus.length,
+      raw: parts.surplus,
+      characters: py.decode(parts.surplus, "latin-1"),
+      verdict: py.format(SENTENCES.WRONG, { fault: text }),
+      reason: parts.reason,
+    });
+  }
+  yield* rowMarkRow(parts, "end", offset, parts.end, parts.marks[1]);
 }
 
-function byExponent(device, span, occupant, value) {
-  if (!value.scaleBy) return value;
-  const exponent = occupant.exponent ?? { skip: 0, ...device.data.registers.find(({ name }) => name === value.scaleBy) };
-  const piece = span.piece(exponent.address, exponent.value.size, exponent.skip);
-  return piece ? exponentApplied(value, exponent.value, contentOf(exponent.value, piece.content)) : value;
-}
-
-function unlistedRow(device, span, first, end, spot) {
-  const gaps = device.data.gaps.filter(({ space, addresses }) =>
-    space === span.space && addresses.some(([low, high]) => low < end && first <= high));
-  const piece = span.bits === null ? span.piece(first, span.unitSize * (end - first)) : undefined;
-  return rowOf({
-    kind: "register",
-    ...(piece?.raw.length ? { raw: piece.raw, ...spot.place(piece.at, piece.raw.length) } : {}),
-    doc: SENTENCES.UNLISTED_REGISTER,
-    notes: [...gaps.map(({ reason }) => reason), ...unknownBases(device, span, first, end)],
-    address: first,
-    words: end - first,
-    unit: span.unit,
+function escapeRow(spot, link, position, raw) {
+  return new ExplanationRow({
+    kind: "mark",
+    offset: spot.start + position,
+    length: raw.length,
+    raw,
+    path: "escape",
+    fact: link.path,
+    verdict: "right",
+    source: citations(link.source),
   });
+}
+
+function* rowMarkRow(parts, name, offset, data, expected) {
+  if (py.truth(expected)) {
+    const right = py.equal(data, expected);
+    yield new ExplanationRow({
+      kind: "mark",
+      offset,
+      length: data.length,
+      raw: data,
+      characters: parts.link.transmission === "hex_ascii" ? py.decode(data, "latin-1") : "",
+      path: name,
+      fact: parts.link.path,
+      verdict: right ? "right" : py.format(SENTENCES.SHOULD_BE, { expected: py.hex(expected, " ").toUpperCase() }),
+      reason: right ? "" : "wrong_mark",
+      source: citations(parts.link.source),
+    });
+  }
 }
 
 function withPercentages(device, row, field, number) {
@@ -2487,543 +2749,1386 @@ function withPercentages(device, row, field, number) {
     const { name, label, complement, full, references } = conversion;
     const count = complement ? BigInt(full) - BigInt(number) : BigInt(number);
     const percent = decimalText(decimalQuotient(100n * count, BigInt(full), 200), `100/${full}`);
-    return meaningOf(name, label, sentence(SENTENCES.PERCENTAGE, { percent, references }));
+    return new Meaning(name, label, sentence(SENTENCES.PERCENTAGE, { percent, references }));
   });
-  return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
+  return meanings.length ? py.replace(row, { meanings: [...row.meanings, ...meanings] }) : row;
 }
 
-class ExplainedBody {
-  constructor(device, record, outer, isRequest, data, start, end, spot, asked) {
-    Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
-    this.record = formOfData(record, data.subarray(start, end)) ?? record;
-    this.values = new Map();
-    this.beside = new Map();
-    const { inner, spans } = this.record;
-    Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
-    const traced = [...(spans ? this.tracedVarying() : this.traced())];
-    this.rows = this.explained(traced);
+
+class ParametersElement {
+  constructor({ parameterSet, number, parameter, index, subindex }) {
+    this.parameterSet = parameterSet;
+    this.number = number;
+    this.parameter = parameter;
+    this.index = index;
+    this.subindex = subindex;
   }
 
-  explained(traced) {
-    const known = new Map(this.asked);
-    return traced.flatMap((part) => {
-      if (part.traced === undefined) return [part];
-      const rows = part.traced.map((row) => this.fieldRow(row, known));
-      if (this.values.has(part.name)) known.set(part.name, this.values.get(part.name));
-      return rows;
+  get meaning() {
+    const index = this.index == null ? "" : `[${this.index}]`;
+    const text = py.format(SENTENCES.PARAMETER, { number: this.parameterSet.numberText(this.number) + index });
+    const fact = this.fact;
+    if (fact == null) {
+      return new Meaning(this.parameterSet.name, "", text, "");
+    }
+    const names = py.dict([this.parameter, this.subindex].filter((fact) => fact != null && fact.name).map((fact) => fact.name).map((key) => [key, null]));
+    return new Meaning(py.join(".", names), fact.label, text, "");
+  }
+
+  get fact() {
+    return py.either(this.subindex, () => this.parameter);
+  }
+
+  get citations() {
+    const [fact, parameter] = [this.fact, this.parameter];
+    const own = fact != null ? fact.source : [];
+    return citations(py.either(own, () => (parameter != null ? parameter.source : [])));
+  }
+}
+
+function withParameter(device, row, field, index, known, outer, isRequest) {
+  let element, elementNumber, number, parameterSet;
+  const part = py.truth(field.value) ? field.value.parameter : null;
+  if (part == null) {
+    return row;
+  }
+  if (part.part === "values") {
+    parameterSet = device.sets(part.set)[0];
+    const placed = parameterSet.atPlace(index);
+    if (placed == null) {
+      return row;
+    }
+    let parameter;
+    [parameter, number] = placed;
+    element = new ParametersElement({ parameterSet, number, parameter, index: null, subindex: null });
+    return parametersReadAs(device, row, field, element, isRequest, field.size);
+  }
+  const parameterNumber = part.part === "number" ? row.number : known.get(part.number);
+  const match = py.isWhole(parameterNumber) ? device.parameterAt(part.set, parameterNumber) : null;
+  if (match == null) {
+    return row;
+  }
+  [parameterSet, number] = match;
+  const knownParameter = parameterSet.numbered(number);
+  if (part.part === "number") {
+    elementNumber = null;
+  } else if (part.part === "subindex") {
+    elementNumber = row.number;
+  } else {
+    const first = (known.get(indexField(outer, part)) ?? 0);
+    elementNumber = py.isWhole(first) ? (py.int(first) + index) : null;
+  }
+  element = parametersElement(parameterSet, number, knownParameter, elementNumber);
+  if (part.part === "value") {
+    let size = field.size;
+    if (part.sizes != null) {
+      const stated = known.get(part.sizes.by);
+      if (py.isWhole(stated) && !py.has(field.sizes, stated)) {
+        return py.replace(row, { meanings: [element.meaning, ...(row.meanings ?? [])] });
+      }
+      size = py.isWhole(stated) ? (field.sizes.get(stated) ?? 0) : 0;
+    }
+    return parametersReadAs(device, row, field, element, isRequest, size);
+  }
+  if (part.part === "subindex" && element.index == null) {
+    return row;
+  }
+  return py.replace(row, { meanings: [...(row.meanings ?? []), element.meaning] });
+}
+
+function indexField(outer, part) {
+  if (!(outer instanceof Message)) {
+    return "";
+  }
+  for (const field of [...(outer.request.fields ?? []), ...(outer.response.fields ?? [])]) {
+    const parameterPart = py.truth(field.value) ? field.value.parameter : null;
+    if (parameterPart != null && py.equal([parameterPart.part, parameterPart.number], ["subindex", part.number])) {
+      return field.name;
+    }
+  }
+  return "";
+}
+
+function parametersElement(parameterSet, number, parameter, elementNumber) {
+  const hasElements = parameter != null && (parameter.elements != null || parameter.subindices.length > 0);
+  if (parameter == null || !hasElements || !py.isWhole(elementNumber)) {
+    return new ParametersElement({ parameterSet, number, parameter, index: null, subindex: null });
+  }
+  return new ParametersElement({
+    parameterSet,
+    number,
+    parameter,
+    index: elementNumber,
+    subindex: parameter.element(elementNumber),
+  });
+}
+
+function parametersReadAs(device, row, field, element, isRequest, size) {
+  let read;
+  const fact = element.fact;
+  if (fact == null || element.parameter == null) {
+    return py.replace(row, { meanings: [element.meaning, ...(row.meanings ?? [])] });
+  }
+  const ownValue = isRequest ? fact.value.forWriting() : fact.value;
+  const reread = row.reason ? null : readAgain(device, ownValue, field, row.raw, row.number, size);
+  if (reread == null) {
+    row = py.replace(row, {
+      meanings: [element.meaning, ...(row.meanings ?? [])],
+      notes: [...(row.notes ?? []), ...(fact.notes ?? [])],
+    });
+    if (row.reason || !py.truth(field.carriesBytes) || element.parameter.reserved || fact.reserved) {
+      return row;
+    }
+    const stated = fact.value.size;
+    if (py.truth(isText(fact.value.encoding)) && size < stated) {
+      return row;
+    }
+    const text = py.format(SENTENCES.SHOULD_BE, { expected: byteCount(stated) });
+    return py.replace(row, { verdict: text, reason: "out_of_range" });
+  }
+  if (isRequest) {
+    read = decodeValue(device, ...reread, fact.reserved);
+  } else {
+    read = decodeAnswer(device, ...reread, fact.reserved, element.parameter.trigger);
+  }
+  const errata = [...(row.errata ?? []), ...errataAt(device, element.parameter.path)];
+  return py.replace(row, {
+    fact: fact.path,
+    doc: fact.doc || row.doc,
+    number: read.number,
+    value: read.text,
+    meanings: [element.meaning, ...(read.meanings ?? [])],
+    verdict: read.verdict,
+    reason: read.reason ? "out_of_range" : "",
+    source: element.citations || row.source,
+    notes: [...(row.notes ?? []), ...(fact.notes ?? []), ...(read.notes ?? [])],
+    errata: py.tuple(py.dict([...errata, ...errataOfWords(device, read.facts)].map((key) => [key, null]))),
+  });
+}
+
+
+class Piece {
+  constructor({ at, raw, content }) {
+    this.at = at;
+    this.raw = raw;
+    this.content = content;
+  }
+}
+
+class Span {
+  constructor({ space, address, words, at, data, bits = null, unitSize = 2, digits = Uint8Array.of() }) {
+    this.space = space;
+    this.address = address;
+    this.words = words;
+    this.at = at;
+    this.data = data;
+    this.bits = bits;
+    this.unitSize = unitSize;
+    this.digits = digits;
+  }
+
+  get end() {
+    return this.address + this.words;
+  }
+
+  get unit() {
+    return this.bits != null ? BIT : py.equal(this.unitSize, 2) ? WORD : BYTE;
+  }
+
+  piece(address, size, skip = 0) {
+    if (this.bits != null) {
+      return this._bit(address - this.address, this.bits);
+    }
+    const start = this.unitSize * (address - this.address) + skip;
+    if (start < 0 || (start + size) > this.data.length) {
+      return null;
+    }
+    const content = py.slice(this.data, start, start + size);
+    if (py.truth(this.digits)) {
+      return new Piece({
+        at: this.at + (2 * start),
+        raw: py.slice(this.digits, 2 * start, 2 * (start + size)),
+        content,
+      });
+    }
+    return new Piece({ at: this.at + start, raw: content, content });
+  }
+
+  _bit(index, bits) {
+    const bit = 0 <= index && index < bits.length ? py.item(bits, index) : null;
+    if (bit == null) {
+      return null;
+    }
+    const [start, end] = bits.length === 1 ? [0, this.data.length] : [Math.floor(index / 8), Math.floor(index / 8) + 1];
+    return new Piece({ at: this.at + start, raw: py.slice(this.data, start, end), content: py.bytes([bit]) });
+  }
+
+  unlisted(first, end) {
+    const piece = this.bits == null ? this.piece(first, this.unitSize * (end - first)) : null;
+    return piece != null ? [piece.at, piece.raw] : [0, Uint8Array.of()];
+  }
+}
+
+function accessed(device, access, values, requestValues, offset, data) {
+  const start = (values.get(access.start) ?? requestValues.get(access.start));
+  if (!py.isWhole(start)) {
+    return null;
+  }
+  const space = device.space(access.space);
+  const [isBits, size] = [space.unit === BIT, space.unitSize];
+  if (access.set != null) {
+    const number = py.truth(data) ? values.get(access.values) : null;
+    const bit = py.equal(number, access.set) ? 1 : py.equal(number, access.clear) ? 0 : null;
+    return new Span({ space: access.space, address: py.int(start), words: 1, at: offset, data, bits: [bit] });
+  }
+  const carried = isBits ? (8 * data.length) : Math.floor(data.length / size);
+  const count = py.truth(access.count) ? (values.get(access.count) ?? requestValues.get(access.count)) : null;
+  const unstated = py.truth(access.count) ? carried : isBits ? 1 : py.max(carried, 1);
+  const words = py.isWhole(count) ? py.int(count) : unstated;
+  if (isBits) {
+    return new Span({
+      space: access.space,
+      address: py.int(start),
+      words,
+      at: offset,
+      data,
+      bits: py.slice(py.tuple(unpackedBits(data)), undefined, words),
     });
   }
+  return new Span({
+    space: access.space,
+    address: py.int(start),
+    words,
+    at: offset,
+    data: py.slice(data, undefined, carried * size),
+    unitSize: size,
+  });
+}
 
-  *traced() {
-    const { inner } = this.record;
-    const fields = inner ? inner.sent.map((name) => this.record.named.get(name)) : this.record.fields;
-    let at = this.start;
-    let numberOfList = 0;
-    for (const [number, field] of fields.entries()) {
-      if (field.cases) {
-        yield this.undecidedRow(field, at);
-        return;
+function* accessedSpans(layout, message, record, body, values, requestValues) {
+  const [start, data] = body;
+  const [isSingle, isResponse] = [message.singleAccess != null, requestValues != null];
+  for (const access of message.accesses) {
+    if (isResponse && !isSingle && access.operation === "write") {
+      continue;
+    }
+    const isCarried = isSingle || (access.operation === "read") === isResponse;
+    const field = isCarried ? record.named(access.values) : null;
+    const [offset, content] = field != null ? [field.offset, py.slice(data, field.offset, field.end)] : [0, Uint8Array.of()];
+    const carried = field != null ? wordBytes(field, content) : Uint8Array.of();
+    const own = (isSingle || !isResponse) ? values : py.dict([]);
+    let span = accessed(layout.device, access, own, py.either(requestValues, () => py.dict([])), start + offset, carried);
+    if (span != null && field != null && py.truth(hasWordDigits(field))) {
+      span = py.replace(span, { digits: content });
+    }
+    if (span != null) {
+      yield [access, span];
+    }
+  }
+}
+
+
+function forbiddenText(operation, access) {
+  if (operation === "write" && access === "ro") {
+    return SENTENCES.READ_ONLY;
+  }
+  return (operation === "read" && access === "wo") ? SENTENCES.WRITE_ONLY : "";
+}
+
+class Occupant {
+  constructor({ address, words, path, fact, outer, value, order, swapped, access, reserved, atomic = false, trigger = false, skip = 0, nested = null }) {
+    this.address = address;
+    this.words = words;
+    this.path = path;
+    this.fact = fact;
+    this.outer = outer;
+    this.value = value;
+    this.order = order;
+    this.swapped = swapped;
+    this.access = access;
+    this.reserved = reserved;
+    this.atomic = atomic;
+    this.trigger = trigger;
+    this.skip = skip;
+    this.nested = nested;
+  }
+
+  valueFor(operation) {
+    return operation === "write" ? this.value.forWriting() : this.value;
+  }
+
+  isSwapped(operation) {
+    return operation === "write" ? this.value.writeSwapped(this.swapped) : this.swapped;
+  }
+}
+
+function forbidden(layout, span, operation) {
+  for (const occupant of py.sorted(occupants(layout, span), (occupant) => occupant.address)) {
+    let reason = forbiddenText(operation, occupant.access);
+    if (!reason && occupant.atomic && !isWithinSpan(occupant, span)) {
+      reason = `has ${occupant.words} ${span.unit}s, all of which must be accessed in one request`;
+    }
+    if (reason) {
+      return `${occupant.path} at 0x${py.hexadecimal(occupant.address, "04X")} ${reason}`;
+    }
+  }
+  return "";
+}
+
+function isWithinSpan(occupant, span) {
+  return span.address <= occupant.address && (occupant.address + occupant.words) <= span.end;
+}
+
+function occupantAt(layout, space, address) {
+  const neighbours = occupants(layout, new Span({ space, address, words: 1, at: 0, data: Uint8Array.of() }));
+  return py.next([...neighbours].filter((occupant) => py.equal(occupant.address, address)), null);
+}
+
+function* occupants(layout, span) {
+  const device = layout.device;
+  const own = device.spaceName(span.space);
+  const blocks = (OCCUPANTS_INDEXES.getOrCompute(layout, occupantsIndex).get(own) ?? py.dict([]));
+  const nearBlocks = py.range(Math.floor(span.address / OCCUPANTS_BLOCK), Math.floor(py.max(span.address, span.end - 1) / OCCUPANTS_BLOCK) + 1);
+  const numbers = py.dict([...nearBlocks].flatMap((block) => [...(blocks.get(block) ?? [])]).map((key) => [key, null]));
+  for (const number of py.sorted(numbers)) {
+    yield* occupantsElements(py.item(layout.registers, number), span);
+  }
+  for (const table of layout.tables.values()) {
+    const located = locatedTable(layout, table, span);
+    if (located != null && py.equal(device.spaceName(table.table.space), own)) {
+      yield* occupantsFields(located, span);
+    }
+  }
+}
+
+const OCCUPANTS_BLOCK = 64;
+
+const OCCUPANTS_INDEXES = new ByIdentity(8);
+
+function occupantsIndex(layout) {
+  const result = py.dict([]);
+  for (const [number, register] of py.enumerate(layout.registers)) {
+    const blocks = result.setdefault(layout.device.spaceName(register.register.space), py.dict([]));
+    const last = register.address + ((register.count - 1) * register.stride) + register.words - 1;
+    for (const block of py.range(Math.floor(register.address / OCCUPANTS_BLOCK), Math.floor(last / OCCUPANTS_BLOCK) + 1)) {
+      blocks.setdefault(block, []).push(number);
+    }
+  }
+  return result;
+}
+
+function baseOfTable(layout, name) {
+  return occupantsFirst(py.item(movingTables(layout), name));
+}
+
+function occupantsFirst(register) {
+  return py.next(occupantsElements(register, new Span({
+    space: register.register.space,
+    address: register.address,
+    words: 1,
+    at: 0,
+    data: Uint8Array.of(),
+  })));
+}
+
+function locatedTable(layout, table, span) {
+  if (!py.truth(table.table.baseBy)) {
+    return table;
+  }
+  const register = baseOfTable(layout, table.name);
+  const space = py.item(movingTables(layout), table.name).register.space;
+  if (!py.equal(layout.device.spaceName(space), layout.device.spaceName(span.space))) {
+    return null;
+  }
+  const piece = span.piece(register.address, register.value.size);
+  const number = piece != null ? numberOf(register.value, piece.content, register.order, register.swapped) : null;
+  if (!py.isWhole(number) || !py.truth(hasInRanges(register.value, number))) {
+    return null;
+  }
+  return py.replace(table, { table: py.replace(table.table, { base: py.int(number) }) });
+}
+
+function* occupantsElements(registerLayout, span) {
+  const register = registerLayout.register;
+  for (const number of occupantsElementNumbers(registerLayout.address, registerLayout.stride, registerLayout.words, registerLayout.count, span)) {
+    const address = registerLayout.address + (number * registerLayout.stride);
+    const path = py.equal(registerLayout.count, 1) ? registerLayout.name : `${registerLayout.name}[${register.indexFrom + number}]`;
+    let fact = register;
+    if (number < register.elementSources.length) {
+      fact = py.replace(register, { source: [py.item(register.elementSources, number)] });
+    }
+    yield new Occupant({
+      address,
+      words: registerLayout.words,
+      path,
+      fact,
+      outer: register,
+      value: register.value,
+      order: registerLayout.order,
+      swapped: registerLayout.swapped,
+      access: register.access,
+      reserved: false,
+      atomic: register.atomic,
+      trigger: register.trigger,
+    });
+  }
+}
+
+function* occupantsFields(tableLayout, span) {
+  const table = tableLayout.table;
+  const numbers = occupantsElementNumbers(table.base, table.stride, tableLayout.words, table.count, span);
+  const nested = py.truth(numbers) ? py.tuple(nestedFields(tableLayout.record)) : [];
+  for (const number of numbers) {
+    const base = table.base + (number * table.stride);
+    for (const field of nested) {
+      const first = base + Math.floor(field.offset / 2);
+      if (first < span.end && span.address < (first + field.words)) {
+        yield occupantsField(table, field, number);
       }
-      if (inner?.lists.some(({ name }) => name === field.name)) {
-        if (numberOfList === this.extents.length) {
-          yield this.unknownListRow(fields.slice(number), inner.lists[numberOfList], at);
-          return;
-        }
-        const extent = this.extents[numberOfList++];
-        yield* this.tracedList(field, extent, at);
-        at += extent.size;
+    }
+  }
+}
+
+function occupantsField(table, nested, number) {
+  const field = nested.field;
+  return new Occupant({
+    address: table.base + (number * table.stride) + Math.floor(nested.offset / 2),
+    words: nested.words,
+    path: `${table.name}[${table.indexFrom + number}].${nested.path}`,
+    fact: field.field,
+    outer: table,
+    value: field.value,
+    order: field.order,
+    swapped: field.swapped,
+    access: nested.access(table.access),
+    reserved: field.field.reserved,
+    atomic: field.field.atomic,
+    skip: nested.offset % 2,
+    nested,
+  });
+}
+
+function occupantsElementNumbers(base, stride, words, count, span) {
+  const first = py.max(0, Math.floor((span.address - base - words) / stride) + 1);
+  const last = py.min(count, -Math.floor(-(span.end - base) / stride));
+  return py.range(first, py.max(first, last));
+}
+
+function exponentOfOccupant(layout, occupant) {
+  const name = occupant.value.scaleBy;
+  if (!py.truth(name)) {
+    return null;
+  }
+  const table = occupant.outer;
+  const nestedExponent = occupant.nested != null ? occupant.nested.beside(name) : null;
+  if (nestedExponent != null && table instanceof Table) {
+    return occupantsField(table, nestedExponent, elementNumber(occupant));
+  }
+  return occupantsFirst(py.next([...layout.registers].filter((row) => row.name === name)));
+}
+
+function elementNumber(occupant) {
+  const table = occupant.outer;
+  return table instanceof Table ? Math.floor((occupant.address - table.base) / table.stride) : 0;
+}
+
+function countOfOccupant(layout, occupant) {
+  const table = occupant.outer;
+  if (!(table instanceof Table) || !py.truth(table.countBy)) {
+    return null;
+  }
+  return occupantsFirst(py.next([...layout.registers].filter((row) => row.name === table.countBy)));
+}
+
+function absentText(count, number) {
+  return py.format(SENTENCES.ABSENT_ELEMENT, { count: count.path, number });
+}
+
+
+class RegisterRows {
+  constructor(layout, spot, spans) {
+    [this._layout, this._spot, this._spans] = [layout, spot, spans];
+    this._rows = null;
+  }
+
+  get rows() {
+    if (this._rows == null) {
+      const [layout, spot] = [this._layout, this._spot];
+      this._rows = (layout == null || spot == null) ? [] : [...this._spans].flatMap(([operation, span]) => [...registerRows(layout, span, spot, operation)]);
+    }
+    return this._rows;
+  }
+}
+
+const NO_REGISTERS = new RegisterRows(null, null, []);
+
+function* registerRows(layout, span, spot, operation) {
+  const present = py.sorted(occupants(layout, span), (occupant) => occupant.address);
+  let address = span.address;
+  for (const occupant of present) {
+    if (occupant.address > address) {
+      yield registersUnlisted(layout, span, address, occupant.address, spot);
+    }
+    address = py.max(address, occupant.address + occupant.words);
+    const row = registersOccupantRow(layout, span, occupant, spot, operation);
+    const reason = forbiddenText(operation, occupant.access);
+    yield reason ? py.replace(row, { notes: [...(row.notes ?? []), py.format(SENTENCES.IT, { statement: reason })] }) : row;
+  }
+  if (address < span.end) {
+    yield registersUnlisted(layout, span, address, span.end, spot);
+  }
+}
+
+function registersOccupantRow(layout, span, occupant, spot, operation) {
+  let read;
+  const piece = span.piece(occupant.address, occupant.value.size, occupant.skip);
+  const [offset, raw] = py.truth(piece) ? [piece.at, piece.raw] : [0, Uint8Array.of()];
+  if (py.truth(piece)) {
+    const value = registersByExponent(layout, span, occupant, occupant.valueFor(operation));
+    const arguments_ = [piece.content, occupant.order, occupant.isSwapped(operation), occupant.reserved];
+    if (operation === "write") {
+      read = decodeValue(layout.device, value, ...arguments_);
+    } else {
+      read = decodeAnswer(layout.device, value, ...arguments_, occupant.trigger);
+    }
+  } else {
+    const isInside = isWithinSpan(occupant, span);
+    const partial = occupant.atomic ? SENTENCES.PARTIAL_ATOMIC : SENTENCES.PARTIAL;
+    const notes = isInside ? [] : [py.format(partial, { unit: span.unit })];
+    read = py.replace(new DecodedValue(null), { notes });
+  }
+  let row = factRow(layout.device, "register", occupant.path, occupant.fact, spot, offset, raw, read, occupant.outer);
+  if (!py.truth(piece)) {
+    row = py.replace(row, { offset: 0, canPlace: "" });
+  }
+  row = py.replace(row, { notes: [...(row.notes ?? []), ...registersAbsence(layout, span, occupant)] });
+  return py.replace(row, {
+    address: occupant.address,
+    words: occupant.words,
+    unit: span.unit,
+    access: occupant.access,
+  });
+}
+
+function registersAbsence(layout, span, occupant) {
+  const count = countOfOccupant(layout, occupant);
+  const piece = count != null ? span.piece(count.address, count.value.size) : null;
+  if (count == null || piece == null) {
+    return [];
+  }
+  const number = numberOf(count.value, piece.content, count.order, count.swapped);
+  return (py.isWhole(number) && elementNumber(occupant) >= number) ? [absentText(count, number)] : [];
+}
+
+function registersByExponent(layout, span, occupant, value) {
+  const exponent = exponentOfOccupant(layout, occupant);
+  const piece = exponent != null ? span.piece(exponent.address, exponent.value.size, exponent.skip) : null;
+  if (exponent == null || piece == null) {
+    return value;
+  }
+  const number = numberOf(exponent.value, piece.content, exponent.order, exponent.swapped);
+  return exponentApplied(value, exponent.value, number);
+}
+
+function registersUnlisted(layout, span, first, end, spot) {
+  const reasons = [...layout.device.groups].filter((group) => py.equal(layout.device.spaceName(group.space), layout.device.spaceName(span.space))).flatMap((group) => [...group.gaps].filter((gap) => [...gap.addresses.intervals].some(([low, high]) => low < end && first <= high)).map((gap) => gap.reason));
+  const [start, raw] = span.unlisted(first, end);
+  const [offset, length, characters] = py.truth(raw) ? spot.place(start, raw.length) : [0, 0, ""];
+  return new ExplanationRow({
+    kind: "register",
+    offset,
+    length,
+    raw,
+    characters,
+    canPlace: py.truth(raw) ? spot.canPlace(start) : "",
+    doc: SENTENCES.UNLISTED_REGISTER,
+    notes: [...reasons, ...registersUnknownBases(layout, span, first, end)],
+    address: first,
+    words: end - first,
+    unit: span.unit,
+  });
+}
+
+function* registersUnknownBases(layout, span, first, end) {
+  const own = layout.device.spaceName(span.space);
+  for (const [name, register] of movingTables(layout).entries()) {
+    const table = py.item(layout.tables, name);
+    const reach = (table.table.count - 1) * table.table.stride + table.words;
+    if (!py.equal(layout.device.spaceName(table.table.space), own) || locatedTable(layout, table, span) != null) {
+      continue;
+    }
+    const intervals = intervalsOf(register.register.value);
+    if ([...intervals].some(([low, high]) => low < end && first < (high + reach))) {
+      yield py.format(SENTENCES.ELEMENTS_OF_TABLE, { table: name, register: register.name });
+    }
+  }
+}
+
+
+class BodyTracedField {
+  constructor({ name, rows }) {
+    this.name = name;
+    this.rows = rows;
+  }
+}
+
+class Body {
+  constructor(layout, record, outer, data, start, end, spot, requestValues) {
+    [this.layout, this.outer, this.spot, this.asked] = [layout, outer, spot, requestValues];
+    [this.data, this.start, this.end] = [data, start, end];
+    this.record = py.either(record.ofData(py.slice(data, start, end)), () => record);
+    this.isRequest = outer instanceof Message && record.record === outer.request;
+    this.values = py.dict([]);
+    const inner = this.record.innerLists;
+    [this.extents, this.fault] = inner == null ? [[], null] : inner.extentsIn(py.slice(data, start, end));
+    this._rowsByName = py.dict([]);
+    const traced = py.truth(this.record.spans) ? this._tracedVarying() : this._traced();
+    this.rows = py.list(this._explained(py.list(traced)));
+  }
+
+  *_explained(traced) {
+    const known = py.dict(this.asked);
+    for (const part of traced) {
+      if (part instanceof ExplanationRow) {
+        yield part;
         continue;
       }
-      const count = this.countOf(field);
-      const room = field.size ? Math.max(0, Math.min(count, Math.floor((this.end - at) / field.size))) : 0;
-      yield this.tracedField(field, at, new Array(room).fill(field.size));
-      at += room * field.size;
+      for (const row of part.rows) {
+        yield this._row(row, known);
+      }
+      if (py.has(this.values, part.name)) {
+        py.put(known, part.name, py.item(this.values, part.name));
+      }
+    }
+  }
+
+  *_traced() {
+    const [inner, fields] = [this.record.innerLists, this.record.sentFields];
+    let [offset, listNumber] = [this.start, 0];
+    for (const [number, field] of py.enumerate(fields)) {
+      if (py.truth(field.splitsRecord)) {
+        yield this._undecided(field, offset);
+        return;
+      }
+      if (inner != null && py.truth(field.varies)) {
+        if (py.equal(listNumber, this.extents.length)) {
+          yield this._unknownList(py.slice(fields, number), py.item(inner.lists, listNumber), offset);
+          return;
+        }
+        const extent = py.item(this.extents, listNumber);
+        listNumber += 1;
+        yield* this._list(field, extent, offset);
+        offset += extent.size;
+        continue;
+      }
+      const count = this._count(field);
+      const room = py.truth(field.size) ? py.max(0, py.min(count, Math.floor((this.end - offset) / field.size))) : 0;
+      yield this._field(field, offset, py.repeated([field.size], room));
+      offset += room * field.size;
       if (room < count) {
-        yield this.missingRow(fields.slice(number), at);
+        yield this._missing(py.slice(fields, number), offset);
         return;
       }
     }
-    if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
+    if (offset < this.end) {
+      yield surplusRow(this.spot, offset, py.slice(this.data, offset, this.end));
+    }
   }
 
-  *tracedList(field, { size, elements }, start) {
-    const [stop, count] = [start + size, this.itemsOf(field)];
-    yield this.tracedField(formOfField(this.record, field, this.values), start, elements.length ? elements : new Array(count).fill(field.size));
-    const end = elements.length || field.packing ? stop : start + count * field.size;
-    if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], end, stop);
-    else if (end < stop) yield surplusRow(this.spot, end, this.data.subarray(end, stop));
+  *_list(field, extent, offset) {
+    const [stop, count] = [offset + extent.size, this._items(field)];
+    const sizes = py.either(extent.elements, () => py.repeated([field.size], count));
+    const form = this.record.decidedBy(this.values).named(field.name);
+    yield this._field(form, offset, sizes);
+    const end = field.packing != null ? stop : offset + py.sum(sizes);
+    if (field.field.repeat != null && count < field.field.repeat.low) {
+      yield this._missing([field], end, stop);
+    } else if (end < stop) {
+      yield surplusRow(this.spot, end, py.slice(this.data, end, stop));
+    }
   }
 
-  unknownListRow(fields, list, at) {
-    const [{ name }] = fields;
-    const { decision, packing, parts, presence, countName, more } = list;
-    let { reason } = this.fault;
+  _unknownList(fields, inner, offset) {
     let text;
-    if (this.hasWrongCount(list)) {
-      text = sentence(SENTENCES.WRONG_COUNT, { count: countName, name });
-    } else if (decision && reason === "unknown_value") {
-      text = this.undecidedText(SENTENCES.UNDECIDED, decision.name, name);
-    } else if ((decision || more) && reason === "wrong_length") {
-      text = sentence(SENTENCES.MORE_FOLLOW, { name, count: this.fault.at - (at - this.start) });
-    } else if (parts && !parts.lists.length && reason === "wrong_measure") {
-      text = sentence(SENTENCES.MORE_ELEMENTS, { name, count: list.most / list.element });
-    } else if (packing && reason === "wrong_length") {
-      text = sentence(SENTENCES.MORE_THAN_BITS, { name, bits: packing.bits });
-    } else if (parts) {
-      text = sentence(SENTENCES.ELEMENTS_WITHOUT_END, { name, place: this.spot.byteText(this.start + this.fault.at) });
-    } else if (this.end - this.start < this.record.least) {
-      return this.missingRow(fields, at);
-    } else if (decision) {
-      text = sentence(SENTENCES.DECIDES_MORE, { selector: decision.name, name });
-    } else if (presence?.numbers) {
-      [reason, text] = ["incomplete", sentence(SENTENCES.SENT_WITHOUT_BYTES, { count: countName, name })];
+    let [name, reason] = [fields[0].name, this.fault.reason];
+    if (this._hasWrongCount(inner)) {
+      text = py.format(SENTENCES.WRONG_COUNT, { count: inner.count, name });
+    } else if (inner.decision != null && reason === "unknown_value") {
+      text = this._undecidedText(inner.decision.name, name);
+    } else if ((inner.decision != null || inner.continuation != null) && reason === "wrong_length") {
+      text = py.format(SENTENCES.MORE_FOLLOW, { name: inner.name, count: this.fault.at - (offset - this.start) });
+    } else if (inner.parts != null && !py.truth(inner.parts.lists) && reason === "wrong_measure") {
+      text = py.format(SENTENCES.MORE_ELEMENTS, { name: inner.name, count: Math.floor(inner.most / inner.element) });
+    } else if (inner.packing != null && reason === "wrong_length") {
+      text = py.format(SENTENCES.MORE_THAN_BITS, { name: inner.name, bits: inner.packing.number.bits });
+    } else if (inner.parts != null) {
+      const place = this.spot.byteText(this.start + this.fault.at);
+      text = py.format(SENTENCES.ELEMENTS_WITHOUT_END, { name, place });
+    } else if ((this.end - this.start) < this.record.least) {
+      return this._missing(fields, offset);
+    } else if (inner.decision != null) {
+      text = py.format(SENTENCES.DECIDES_MORE, { selector: inner.decision.name, name });
+    } else if (inner.presence != null && py.truth(inner.presence.numbers)) {
+      [reason, text] = ["incomplete", py.format(SENTENCES.SENT_WITHOUT_BYTES, { count: inner.count, name })];
     } else {
-      [reason, text] = ["incomplete", sentence(SENTENCES.COUNTS_MORE, { count: countName, name })];
+      [reason, text] = ["incomplete", py.format(SENTENCES.COUNTS_MORE, { count: inner.count, name })];
     }
-    return this.wrongRow(fields[0], at, reason, text);
+    return this._wrong(fields[0], offset, reason, text);
   }
 
-  itemsOf(field) {
-    const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
-    const { size, elements, numbers } = this.extents[number];
-    if (numbers !== undefined) return numbers;
-    return elements.length || this.record.inner.lists[number].parts ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
+  _hasWrongCount(inner) {
+    const place = py.truth(this.record.innerLists) ? this.record.innerLists.placeInData(this.extents, inner.countAt) : 0;
+    const fault = this.fault;
+    return py.truth(inner.count) && fault != null && fault.reason === "wrong_measure" && py.equal(fault.at, place);
   }
 
-  hasWrongCount(list) {
-    if (!list.length || this.fault?.reason !== "wrong_measure") return false;
-    return this.fault.at === placeAround(this.record.inner, this.extents, list.at);
-  }
-
-  *tracedVarying() {
-    const { fields, spans } = this.record;
-    const extents = extentsOf(spans, this.data.subarray(this.start, this.end));
-    let at = this.start;
-    for (const [number, { start, stop }] of extents.entries()) {
-      const field = fields[number];
-      const sizes = field.span ? [stop - start] : new Array(field.count ?? 0).fill(field.size);
-      yield this.tracedField(field, this.start + start, sizes);
-      at = this.start + stop;
+  _items(field) {
+    const inner = this.record.innerLists;
+    const number = py.next([...py.enumerate(inner.lists)].filter(([number, innerList]) => innerList.name === field.name).map(([number, innerList]) => number));
+    const extent = py.item(this.extents, number);
+    if (py.item(inner.lists, number).packing != null) {
+      return extent.numbers;
     }
-    const missing = fields[extents.length];
-    if (missing) yield this.wrongRow(missing, at, ...this.endless(spans[extents.length], at));
-    else if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
+    return (py.truth(extent.elements) || py.item(inner.lists, number).parts != null) ? extent.elements.length : py.min(Math.floor(extent.size / field.size), field.bounds[1]);
   }
 
-  endless(span, at) {
-    if (span.count === undefined) return ["incomplete", sentence(SENTENCES.WITHOUT_END, span)];
-    const { name } = this.record.spans[span.count];
-    const count = Number(this.values.get(name)) - span.plus;
-    if (count >= 0 && count <= span.most) {
-      return ["incomplete", sentence(SENTENCES.FEWER_FOLLOW, { name: span.name, count, rest: this.end - at })];
+  *_tracedVarying() {
+    const fields = this.record.fields;
+    let offset = this.start;
+    const known = extents(this.record.spans, py.slice(this.data, this.start, this.end));
+    for (const [field, span, extent] of py.zip(fields, this.record.spans, known)) {
+      const sizes = span.value == null ? py.repeated([field.size], py.either(field.count, () => 0)) : [extent.stop - extent.start];
+      yield this._field(field, this.start + extent.start, sizes);
+      offset = this.start + extent.stop;
     }
-    return ["wrong_measure", sentence(SENTENCES.WRONG_SIZE, { count: name, name: span.name })];
+    if (known.length < fields.length) {
+      const [reason, text] = this._endless(known.length, offset);
+      yield this._wrong(py.item(fields, known.length), offset, reason, text);
+    } else if (offset < this.end) {
+      yield surplusRow(this.spot, offset, py.slice(this.data, offset, this.end));
+    }
   }
 
-  countOf(field) {
-    if (!field.repeat) return field.count ?? 0;
-    const [low, high] = field.repeat;
-    return Math.min(Math.max(Math.floor((this.end - this.start - field.offset) / field.size), low), high);
+  _endless(number, offset) {
+    const span = py.item(this.record.spans, number);
+    if (span.count == null || span.value == null) {
+      return ["incomplete", py.format(SENTENCES.WITHOUT_END, { name: span.name })];
+    }
+    const count = py.item(this.values, py.item(this.record.spans, span.count).name);
+    if (py.isWhole(count) && 0 <= (count - span.plus) && (count - span.plus) <= span.value.width) {
+      const rest = this.end - offset;
+      return ["incomplete", py.format(SENTENCES.FEWER_FOLLOW, { name: span.name, count: count - span.plus, rest })];
+    }
+    const text = py.format(SENTENCES.WRONG_SIZE, { count: py.item(this.record.spans, span.count).name, name: span.name });
+    return ["wrong_measure", text];
   }
 
-  missingRow(fields, at, stop = this.end) {
+  _count(field) {
+    const repeat = field.field.repeat;
+    if (repeat == null) {
+      return py.either(field.count, () => 0);
+    }
+    const room = Math.floor((this.end - this.start - field.offset) / field.size);
+    return py.min(py.max(room, repeat.low), repeat.high);
+  }
+
+  _missing(fields, offset, stop = null) {
     const missing = this.record.least - (this.end - this.start);
-    const later = fields.map(({ name }) => name).join(", ");
-    return this.wrongRow(fields[0], at, "incomplete", missingText(missing, later), stop);
+    const later = py.join(", ", [...fields].map((other) => other.name));
+    return this._wrong(fields[0], offset, "incomplete", missingText(missing, later), stop);
   }
 
-  undecidedRow(field, at) {
-    const size = this.end - this.start;
-    const { least, most, selector } = this.record;
-    if (size < least) return this.missingRow(this.record.fields.slice(-1), at);
-    const isLong = most !== undefined && size > most;
-    const fault = isLong ? SENTENCES.UNDECIDED_TOO_LONG : SENTENCES.UNDECIDED;
-    const text = this.undecidedText(fault, selector, field.name, { count: size - most });
-    return this.wrongRow(field, at, isLong ? "wrong_length" : "unknown_value", text);
-  }
-
-  undecidedText(fault, selector, name, more) {
-    return sentence(fault, { selector, number: valueText(this.values.get(selector)), name, ...more });
-  }
-
-  wrongRow(field, at, reason, text, stop = this.end) {
-    const row = wrongRow(this.spot, at, this.data.subarray(at, stop), reason, text, field.name, field.path);
-    return { ...row, errata: this.device.errataAt(field.path) };
-  }
-
-  tracedField(field, start, sizes) {
-    const traced = [];
-    const values = runEach(this.device, field, this.data, start, sizes, "", traced, this.beside);
-    if (field.isList) this.values.set(field.name, values);
-    else if (values.length) this.values.set(field.name, values[0]);
-    return { name: field.name, traced };
-  }
-
-  fieldRow(traced, known) {
-    const { field, path, index, offset, raw, number, beside } = traced;
-    const exponent = beside.get(field.exponent);
-    const value = exponent ? exponentApplied(field.value, exponent.field.value, exponent.number) : field.value;
-    let read = decodedRow(this.device, value, traced);
-    if (beside === this.beside) read = this.deciding(field, this.measured(field, this.repeated(field, read)));
-    let row = factRow(this.device, "field", path, field, this.spot, offset, raw, read, this.outer);
-    row = withParameter(this.device, row, field, index, known, this.outer, this.isRequest);
-    return withPercentages(this.device, row, field, number);
-  }
-
-  measured(field, read) {
-    const [of, name, plus = 0] = field.measures ?? [];
-    const other = this.record.named.get(field.bitsOf ?? name);
-    if (!other || other.cases) return read;
-    const { inner, spans } = this.record;
-    const text = spans?.find((span) => span.name === name && span.count !== undefined);
-    const list = inner?.lists.findIndex((own) => own.name === name) ?? -1;
-    const room = this.end - this.start - other.offset;
-    const numberOf = (items) => (of === "bytes" ? items * other.size : items) + plus;
-    let [low, high] = [0, 0];
-    if (field.bitsOf) {
-      high = 8 * Math.max(0, Math.min(this.countOf(other), room));
-      low = Math.max(0, high - 7);
-    } else if (text) {
-      [low, high] = [plus, text.most + plus];
-    } else if (list >= 0) {
-      if (list >= this.extents.length) return this.wrongCount(inner.lists[list], field, read);
-      low = high = countsSent(inner.lists[list], field) ? this.extents[list].size + plus : numberOf(this.itemsOf(other));
-    } else {
-      const most = spans ? this.countOf(other) : this.itemsAtEnd(other);
-      low = high = numberOf(other.isList ? most : 1);
+  _undecided(field, offset) {
+    const [size, selector] = [this.end - this.start, this.record.selector];
+    if (size < this.record.least) {
+      return this._missing(py.slice(this.record.fields, -1), offset);
     }
-    return judged(read, isWhole(read.number) && low <= read.number && read.number <= high, low === high ? low : sentence(SENTENCES.BOUNDS, { low, high }), "wrong_measure");
+    if (this.record.most == null || size <= this.record.most) {
+      return this._wrong(field, offset, "unknown_value", this._undecidedText(selector.name, field.name));
+    }
+    const text = py.format(SENTENCES.UNDECIDED_TOO_LONG, {
+      selector: selector.name,
+      number: py.repr(py.item(this.values, selector.name)),
+      name: field.name,
+      count: size - this.record.most,
+    });
+    return this._wrong(field, offset, "wrong_length", text);
   }
 
-  itemsAtEnd(field) {
-    return Math.max(0, Math.min(this.countOf(field), Math.floor((this.end - this.start - field.offset) / field.size)));
+  _undecidedText(selector, name) {
+    return py.format(SENTENCES.UNDECIDED, { selector, number: py.repr(py.item(this.values, selector)), name });
   }
 
-  deciding(field, read) {
+  _wrong(field, start, reason, text, stop = null) {
+    const path = field.field.path;
+    const data = py.slice(this.data, start, stop == null ? this.end : stop);
+    const row = wrongRow(this.spot, start, data, reason, text, field.name, path);
+    return py.replace(row, { errata: errataAt(this.layout.device, path) });
+  }
+
+  _field(field, start, sizes) {
+    const rows = [];
+    const program = fieldProgram(this.layout.device, this.record, field);
+    const values = runEach(program, new Place(this.data, start, this.end), sizes, rows, this._rowsByName);
+    if (field.isList) {
+      py.put(this.values, field.name, values);
+    } else if (py.truth(values)) {
+      py.put(this.values, field.name, values[0]);
+    }
+    return new BodyTracedField({ name: field.name, rows });
+  }
+
+  _row(row, known) {
+    let [device, field, value] = [this.layout.device, row.variable.field, row.variable.value];
+    const exponent = row.rowsBeside.get(row.variable.exponent);
+    if (exponent != null) {
+      value = exponentApplied(value, exponent.variable.value, exponent.number);
+    }
+    let read = decodedRow(device, row, value);
+    if (row.rowsBeside === this._rowsByName) {
+      read = this._deciding(field, this._measured(field, this._repeated(field, read)));
+    }
+    let explained = factRow(device, "field", row.path, field.field, this.spot, row.offset, row.raw, read, this.outer);
+    explained = withParameter(device, explained, field, row.index, known, this.outer, this.isRequest);
+    return withPercentages(device, explained, field, row.number);
+  }
+
+  _measured(field, read) {
+    let high, low;
+    const measure = field.field.measures;
+    const other = this.record.named(py.either(field.bitsOf, () => (measure != null ? measure.field : "")));
+    if (other == null || py.truth(other.splitsRecord)) {
+      return read;
+    }
+    const inner = this.record.innerLists;
+    const span = py.next([...this.record.spans].filter((span) => span.name === other.name && span.count != null), null);
+    const room = this.end - this.start - other.offset;
+    if (py.truth(field.bitsOf)) {
+      let size = py.max(0, py.min(this._count(other), room));
+      [low, high] = size ? [8 * size - 7, 8 * size] : [0, 0];
+    } else if (measure == null) {
+      return read;
+    } else if (span != null && span.value != null) {
+      [low, high] = [span.plus, span.value.width + span.plus];
+    } else if (inner != null && py.truth(other.varies)) {
+      const number = py.next([...py.enumerate(inner.lists)].filter(([number, innerList]) => innerList.name === other.name).map(([number, innerList]) => number));
+      if (number >= this.extents.length) {
+        return this._wrongCount(py.item(inner.lists, number), field, read);
+      }
+      let size = py.truth(field.countsSent) ? py.item(this.extents, number).size : this._items(other) * other.size;
+      low = measure.of === "bytes" ? (size + measure.plus) : measure.number(this._items(other), 1);
+      high = low;
+    } else {
+      let items = other.isList ? this._itemsAtEnd(other) : 1;
+      items = py.truth(this.record.spans) ? py.either(other.count, () => 0) : items;
+      low = measure.number(items, other.size);
+      high = low;
+    }
+    const isRight = py.isWhole(read.number) && low <= read.number && read.number <= high;
+    const expected = py.equal(low, high) ? low : py.format(SENTENCES.BOUNDS, { low, high });
+    return read.judged(isRight, expected, "wrong_measure");
+  }
+
+  _itemsAtEnd(field) {
+    return py.max(0, py.min(this._count(field), Math.floor((this.end - this.start - field.offset) / field.size)));
+  }
+
+  _deciding(field, read) {
     for (const other of this.record.fields) {
-      const { presence, name } = other;
-      if ((read.reason && read.reason !== "out_of_range") || presence?.by !== field.name || !isWhole(read.number)) continue;
-      const known = this.record.inner?.lists.findIndex((list) => list.name === name) ?? -1;
-      if (known === this.extents.length) read = this.wrongCount(this.record.inner.lists[known], field, read);
-      if (known >= this.extents.length) continue;
-      const items = this.record.inner ? this.itemsOf(other) : this.itemsAtEnd(other);
-      if (!fits(presence, read.number, items)) {
-        const isSent = sentence(items ? SENTENCES.NUMBER_IF_SENT : SENTENCES.NUMBER_IF_ABSENT, other);
-        const count = bitsText(presence, items * presence.unit + presence.plus);
-        return judged(read, false, presence.numbers ? isSent : count, "wrong_measure");
+      const [presence, number] = [other.presence, read.number];
+      if (presence == null || presence.by !== field.name) {
+        continue;
+      }
+      if (!py.has(ACCEPTED, read.reason) || !py.isWhole(number)) {
+        continue;
+      }
+      const items = this.record.innerLists == null ? this._itemsAtEnd(other) : this._itemsIfKnown(other);
+      if (items == null && this.record.innerLists != null) {
+        const unknown = py.item(this.record.innerLists.lists, this.extents.length);
+        read = unknown.name === other.name ? this._wrongCount(unknown, field, read) : read;
+      } else if (items != null && !py.truth(presence.fits(number, items))) {
+        let expected = presence.bitsText(items * presence.unit + presence.plus);
+        if (py.truth(presence.numbers)) {
+          const isSent = py.truth(items) ? SENTENCES.NUMBER_IF_SENT : SENTENCES.NUMBER_IF_ABSENT;
+          expected = py.format(isSent, { name: other.name });
+        }
+        return read.judged(false, expected, "wrong_measure");
       }
     }
     return read;
   }
 
-  wrongCount(list, field, read) {
-    const { countName, least, most, unit, plus = 0, presence, sentPlus } = list;
-    if (countName !== field.name || !this.hasWrongCount(list)) return read;
-    const [low, high] = [least, most].map((size) => Math.floor(size / unit) + plus);
-    const bounds = sentence(SENTENCES.BOUNDS, { low, high });
-    const expected = sentPlus === undefined ? bounds : sentence(SENTENCES.SIZE_OF_LIST, list);
-    return judged(read, false, presence ? bitsText(presence, expected) : expected, "wrong_measure");
+  _itemsIfKnown(field) {
+    const names = [...py.slice(this.record.innerLists.lists, undefined, this.extents.length)].map((inner) => inner.name);
+    return py.has(names, field.name) ? this._items(field) : null;
   }
 
-  repeated(field, read) {
-    const should = field.sameAs ? this.asked.get(field.sameAs) : undefined;
-    return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float" ? field.value.size : 0);
+  _wrongCount(inner, field, read) {
+    if (inner.count !== field.name || !this._hasWrongCount(inner)) {
+      return read;
+    }
+    const [low, high] = [Math.floor(inner.least / inner.unit) + inner.plus, Math.floor(inner.most / inner.unit) + inner.plus];
+    let expected = py.format(SENTENCES.BOUNDS, { low, high });
+    if (inner.sentPlus != null) {
+      expected = py.format(SENTENCES.SIZE_OF_LIST, { name: inner.name });
+    }
+    expected = inner.presence == null ? expected : inner.presence.bitsText(expected);
+    return read.judged(false, expected, "wrong_measure");
+  }
+
+  _repeated(field, read) {
+    const expected = this.asked.get(field.field.sameAs);
+    if (read.reason || expected == null) {
+      return read;
+    }
+    return repeatedValue(read, expected, field.value);
   }
 }
 
-function countsSent({ sentPlus, countName }, field) {
-  return sentPlus !== undefined && countName === field.name;
+
+class Explanation {
+  constructor({ link, direction, message, error, frame, rows, registerRows, values, errata = [], accessed = null }) {
+    this.link = link;
+    this.direction = direction;
+    this.message = message;
+    this.error = error;
+    this.frame = frame;
+    this.rows = rows;
+    this.registerRows = registerRows;
+    this.values = values;
+    this.errata = errata;
+    this.accessed = accessed;
+  }
+
+  get registers() {
+    return this.registerRows.rows;
+  }
+
+  get reasons() {
+    return [...this.rows].filter((row) => !py.has(ACCEPTED, row.reason)).map((row) => row.reason);
+  }
 }
 
-function explained(device, link, direction, frame, message = "", request = null) {
-  return new ExplainedFrame(device, link, direction, frame, message, request).explanation();
+
+function explainedAfter(layout, link, direction, frame, message, request) {
+  return (new FrameRowsFrame(layout, link, direction, frame, message, request)).explanation();
 }
 
-function reasonsOf({ rows }) {
-  return rows.map(({ reason }) => reason).filter((reason) => reason && reason !== "out_of_range");
+function isDamaged(layout, link, direction, frame) {
+  return (new FrameRowsFrame(layout, link, direction, frame, "", null)).isDamaged;
 }
 
-class ExplainedFrame {
-  constructor(device, link, direction, frame, message, asked) {
-    Object.assign(this, { device, direction, frame, asked });
-    this.link = device.links.get(link);
-    this.shape = this.link[direction];
+class FrameRowsFrame {
+  constructor(layout, link, direction, frame, message, request) {
+    [this.layout, this.link, this.direction, this.frame] = [layout, py.item(layout.links, link).link, direction, frame];
+    this.shape = py.item(layout.links, link).frame(direction);
+    this.asked = request;
     this.wrapped = unwrapped(this.link, direction, frame);
-    this.spot = new Spot(frame, this.wrapped.start.length, this.link.transmission === "hex_ascii" ? 2 : 1);
+    this.spot = new Spot({
+      frame,
+      start: this.wrapped.start.length,
+      width: this.link.transmission === "hex_ascii" ? 2 : 1,
+    });
     this.unreadable = null;
-    this.emptyEscape = new Uint8Array();
-    [this.sentData, this.surplus] = this.withoutSurplus(this.wrapped.data);
-    this.data = this.shape.escape ? this.original(this.sentData) : this.sentData;
-    this.named = message || (asked?.message ?? "");
-    this.sent = this.link.carriedMessages[direction];
+    this.emptyEscape = Uint8Array.of();
+    [this.sentData, this.surplus] = this._withoutSurplus(this.wrapped.data);
+    this.data = this.shape.escape != null ? this._original(this.sentData) : this.sentData;
+    this.named = message || (py.truth(request) ? request.message : "");
+    this.sent = py.item(layout.links, link).carried(direction);
     this.message = this.sent.get(this.named);
     this.error = false;
-    this.values = new Map();
+    this.values = py.dict([]);
+    this.accessed = null;
   }
 
   explanation() {
-    if (this.unreadable !== null) return this.unreadableFrame(this.unreadable);
-    const rows = [...startRows(this.wrapped), ...this.partRows(this.shape.header, 0)];
-    let registers = [];
+    if (this.unreadable != null) {
+      return this._unreadable(this.unreadable);
+    }
+    let rows = [...startRows(this.wrapped), ...this._parts(this.shape.header, 0)];
+    let registers = NO_REGISTERS;
     if (this.data.length >= this.shape.headerSize) {
-      this.error ||= this.isMarked();
-      const body = this.body();
-      registers = body.registers;
-      rows.push(...body.rows, ...this.tailRows());
+      this.error = this.error || this._isMarked();
+      let bodyRows;
+      [bodyRows, registers] = this._body();
+      rows = [...rows, ...bodyRows, ...this._tail()];
     }
-    if (this.surplus.length) rows.push(surplusRow(this.spot, this.data.length, this.surplus));
-    rows.push(...endRows(this.wrapped));
-    if (this.emptyEscape.length) {
-      rows.push(escapeRow(this.spot, this.link, this.shape.escapeStart, this.emptyEscape));
-      rows.sort((row, other) => row.offset - other.offset);
+    if (py.truth(this.surplus)) {
+      rows.push(surplusRow(this.spot, this.data.length, this.surplus));
     }
-    const errata = [...this.device.errataOfWords([this.link.path]), ...(this.message?.errata ?? [])];
-    return this.result(this.message?.name ?? "", rows, registers, errata);
+    rows = [...rows, ...endRows(this.wrapped)];
+    if (py.truth(this.emptyEscape)) {
+      const row = escapeRow(this.spot, this.link, this.shape.escapeStart, this.emptyEscape);
+      rows = py.sorted([...rows, row], (row) => row.offset);
+    }
+    let [errata, name] = [errataOfWords(this.layout.device, [this.link.path]), ""];
+    if (this.message != null) {
+      errata = [...errata, ...errataOfMessage(this.layout.device, this.message.message)];
+      name = this.message.name;
+    }
+    return new Explanation({
+      link: this.link.name,
+      direction: this.direction,
+      message: name,
+      error: this.error,
+      frame: this.frame,
+      rows: py.tuple(rows),
+      registerRows: registers,
+      values: this.values,
+      errata,
+      accessed: this.accessed,
+    });
   }
 
-  isMarked() {
-    const { exception } = this.link;
-    if (!exception || this.direction === "request" || this.shape.code) return false;
-    const { mark } = exception;
-    if (!mark) return isException(exception, 0, (name) => this.partNumber(name));
-    const at = this.shape.headerSize + mark.offset;
-    return at + mark.bytes.length <= this.bodyEnd() && sameBytes(this.data.subarray(at, at + mark.bytes.length), mark.bytes);
+  get isDamaged() {
+    const partsSize = this.shape.headerSize + this.shape.trailerSize;
+    if (this.unreadable != null || !this.wrapped.whole || this.data.length < partsSize) {
+      return false;
+    }
+    return [...this.shape.checksums].some((part) => !py.equal(part.checksum(this._measured(part)), py.slice(py.slice(this.data, part.at(this.data.length)), undefined, part.size)));
   }
 
-  bodyEnd() {
-    const { headerSize, trailerSize } = this.shape;
-    return this.wrapped.whole ? Math.max(headerSize, this.data.length - trailerSize) : this.data.length;
+  _isMarked() {
+    const link = py.item(this.layout.links, this.link.name);
+    const refusal = link.link.exceptionResponse;
+    if (refusal == null || this.direction === "request" || !link.hasUncodedExceptions) {
+      return false;
+    }
+    if (link.mark != null) {
+      return link.mark.isIn(py.slice(this.data, this.shape.headerSize, this._bodyEnd()));
+    }
+    return refusal.isMarked(0, this.shape.numbers(this.data));
   }
 
-  result(message, rows, registers, errata) {
-    const { link, direction, error, frame, values } = this;
-    return { link: link.name, direction, message, error, frame, rows, registers, values, errata };
+  _bodyEnd() {
+    const [shape, size] = [this.shape, this.data.length];
+    return this.wrapped.whole ? py.max(shape.headerSize, size - shape.trailerSize) : size;
   }
 
-  original(sent) {
-    const { escape, escapeStart: start, escapeStop } = this.shape;
-    if (sent.length < this.shape.headerSize + this.shape.trailerSize) return sent;
-    const stop = sent.length + escapeStop;
+  _original(escapedData) {
     let originals;
-    try {
-      originals = originalPlaces(escape, sent.subarray(start, stop));
-    } catch (error) {
-      if (!(error instanceof CodecError)) throw error;
-      this.unreadable = { at: start + error.offset, detail: error.detail };
-      return sent;
+    const shape = this.shape;
+    if (escapedData.length < (shape.headerSize + shape.trailerSize)) {
+      return escapedData;
     }
-    if (!originals.length) this.emptyEscape = sent.subarray(start, stop);
-    const inner = originals.map(([, place]) => place + start);
-    if (inner.length) inner[0] = start;  // what is sent before the first byte belongs to it
-    const data = Uint8Array.from([...sent.subarray(0, start), ...originals.map(([byte]) => byte), ...sent.subarray(stop)]);
-    const end = sent.length + this.surplus.length;
-    this.spot.places = [
-      ...Array.from({ length: start }, (_, at) => at),
-      ...inner,
-      ...Array.from({ length: end + 1 - stop }, (_, at) => stop + at),
-    ];
-    this.spot.escape = escape;
-    this.spot.gap = originals.length ? null : start;
-    this.spot.originals = Uint8Array.from([...data, ...this.surplus]);
+    const [start, stop] = [shape.escapeStart, escapedData.length + py.either(shape.escapeStop, () => 0)];
+    try {
+      originals = originalPlaces(shape.escape, py.slice(escapedData, start, stop));
+    } catch (error) {
+      if (!(error instanceof EscapeError)) throw error;
+      this.unreadable = start + error.offset;
+      return escapedData;
+    }
+    this.emptyEscape = py.truth(originals) ? Uint8Array.of() : py.slice(escapedData, start, stop);
+    const inner = [...py.enumerate(originals)].map(([number, [, place]]) => py.truth(number) ? (place + start) : start);
+    const data = py.bytes([...py.slice(escapedData, undefined, start), ...[...originals].map(([byte, ]) => byte), ...py.slice(escapedData, stop)]);
+    const end = escapedData.length + this.surplus.length;
+    this.spot = py.replace(this.spot, {
+      places: [...py.range(start), ...inner, ...py.range(stop, end + 1)],
+      originals: py.bytes([...data, ...(this.surplus ?? [])]),
+      escape: shape.escape,
+      gap: py.truth(originals) ? null : start,
+    });
     return data;
   }
 
-  unreadableFrame({ at, detail }) {
-    const [start, stop] = [this.shape.escapeStart, this.data.length + this.shape.escapeStop];
-    const { escape } = this.shape;
-    const text = escape.method === "can"
-      ? detail
-      : sentence(SENTENCES.NOT_ESCAPED, { offset: this.wrapped.start.length + at });
-    const rows = [...startRows(this.wrapped), ...this.outsideRows(this.shape.header)];
-    rows.push(wrongRow(this.spot, start, this.data.subarray(start, stop), "wrong_mark", text));
-    rows.push(...this.outsideRows(this.shape.trailer));
-    if (this.surplus.length) rows.push(surplusRow(this.spot, this.data.length, this.surplus));
-    rows.push(...endRows(this.wrapped));
-    this.values = new Map();
-    this.error = false;
-    return this.result(this.named, rows, [], []);
-  }
-
-  outsideRows(parts) {
-    return parts.filter(({ escaped }) => !escaped).map((part) => {
-      const at = partOffset(part, this.data.length);
-      const data = this.data.subarray(at, at + part.size);
-      return this.partRow(part, at, data);
+  _unreadable(offset) {
+    const [start, stop] = [this.shape.escapeStart, this.data.length + py.either(this.shape.escapeStop, () => 0)];
+    let text = py.format(SENTENCES.NOT_ESCAPED, { offset: this.wrapped.start.length + offset });
+    if (this.shape.escape != null && this.shape.escape.method === "can") {
+      text = this.shape.escape.headerFault(py.slice(this.data, start, stop), offset - start);
+    }
+    let rows = [...startRows(this.wrapped), ...this._unescapedRows(this.shape.header)];
+    rows.push(wrongRow(this.spot, start, py.slice(this.data, start, stop), "wrong_mark", text));
+    rows = [...rows, ...this._unescapedRows(this.shape.trailer)];
+    if (py.truth(this.surplus)) {
+      rows.push(surplusRow(this.spot, this.data.length, this.surplus));
+    }
+    rows = [...rows, ...endRows(this.wrapped)];
+    return new Explanation({
+      link: this.link.name,
+      direction: this.direction,
+      message: this.named,
+      error: false,
+      frame: this.frame,
+      rows: py.tuple(rows),
+      registerRows: NO_REGISTERS,
+      values: py.dict([]),
     });
   }
 
-  partRow(part, at, data) {
-    return factRow(this.device, "part", part.name, part, this.spot, at, data, this.partValue(part, data), this.link);
-  }
-
-  measuredBytes(part) {
-    return this.shape.escape && !part.beforeEscape ? this.sentData : this.data;
-  }
-
-  withoutSurplus(data) {
-    const nothing = data.subarray(data.length);
-    const ofSent = (part) => !this.shape.escape || !part.beforeEscape;
-    const [length] = this.shape.lengths.filter(ofSent);
-    const checks = this.shape.checks.filter(ofSent);
-    if (!length || !checks.length || !this.wrapped.whole) return [data, nothing];
-    const number = Number(numberOf(length, data));
-    const stated = number * (length.unitSize ?? 1) + (length.base ?? 0);
-    const early = this.shape.headerSize + this.shape.trailerSize <= stated && stated < data.length;
-    const isRight = (bytes) => checks.every((check) => {
-      const at = partOffset(check, bytes.length);
-      return sameBytes(checksumOf(check, bytes), bytes.subarray(at, at + check.size));
-    });
-    if (early && !isRight(data) && isRight(data.subarray(0, stated))) return [data.subarray(0, stated), data.subarray(stated)];
-    return [data, nothing];
-  }
-
-  partRows(parts, base) {
-    const rows = [];
+  *_unescapedRows(parts) {
     for (const part of parts) {
-      const at = base + part.offset;
-      const data = this.data.subarray(at, at + part.size);
+      if (!py.truth(part.escaped)) {
+        const offset = part.at(this.data.length);
+        const data = py.slice(this.data, offset, offset + part.size);
+        yield this._part(part, offset, data, this._partText(part, data));
+      }
+    }
+  }
+
+  _measured(part) {
+    return (this.shape.escape != null && !py.truth(part.beforeEscape)) ? this.sentData : this.data;
+  }
+
+  _withoutSurplus(data) {
+    const isEscaped = this.shape.escape != null;
+    const length = py.next([...this.shape.lengths].filter((part) => !isEscaped || !py.truth(part.beforeEscape)), null);
+    const checks = [...this.shape.checksums].filter((part) => !isEscaped || !py.truth(part.beforeEscape));
+    if (length == null || !py.truth(checks) || !this.wrapped.whole) {
+      return [data, Uint8Array.of()];
+    }
+    const number = length.read(py.slice(data, length.offset, length.offset + length.size));
+    const stated = number != null ? (number * length.unitSize + length.base) : 0;
+    const early = (this.shape.headerSize + this.shape.trailerSize) <= stated && stated < data.length;
+    if (early && !frameRowsIsRight(checks, data) && frameRowsIsRight(checks, py.slice(data, undefined, stated))) {
+      return [py.slice(data, undefined, stated), py.slice(data, stated)];
+    }
+    return [data, Uint8Array.of()];
+  }
+
+  *_parts(parts, base) {
+    for (const part of parts) {
+      const offset = base + part.offset;
+      const data = py.slice(this.data, offset, offset + part.size);
       if (data.length < part.size) {
-        if (this.wrapped.whole || data.length) rows.push(this.shortRow(part, at, data));
-        return rows;
+        if (this.wrapped.whole || py.truth(data)) {
+          yield this._short(part, offset, data);
+        }
+        return;
       }
-      rows.push(this.partRow(part, at, data));
+      yield this._part(part, offset, data, this._partText(part, data));
     }
-    return rows;
   }
 
-  shortRow(part, at, data) {
+  _part(part, offset, data, read) {
+    return factRow(this.layout.device, "part", part.name, part.part, this.spot, offset, data, read, this.link);
+  }
+
+  _short(part, offset, data) {
     const missing = part.size - data.length;
-    return wrongRow(this.spot, at, data, "incomplete", missingText(missing, part.name), part.name, part.path);
+    const text = missingText(missing, part.name);
+    return wrongRow(this.spot, offset, data, "incomplete", text, part.name, part.part.path);
   }
 
-  partValue(part, raw) {
-    if (part.role === "checksum") return this.checkedValue(part, raw);
-    const read = decodeValue(this.device, part.value, raw, part.reserved);
-    if (part.reserved || !isWhole(read.number)) return read;
-    if (part.role === "length") return this.judgedLength(part, read);
-    if (part.offset < 0) return read;
-    this.values.set(part.name, read.number);
-    if (part.role === "code") return this.codeValue(part, read);
-    if (part.role === "unit_address") return this.addressValue(read);
-    const should = part.sameAs ? this.asked?.values.get(part.sameAs) : undefined;
-    return read.reason || should === undefined ? read : repeatedValue(read, should);
-  }
-
-  judgedLength(part, read) {
-    if (!this.wrapped.whole) return read;
-    const should = lengthNumber(part, this.measuredBytes(part).length);
-    return judged(read, should !== undefined && read.number == should, should ?? SENTENCES.ANOTHER_LENGTH, "wrong_length");
-  }
-
-  checkedValue(part, raw) {
-    const read = decoded(part.digits ? latinOf(raw) : wholeOf(raw, part.order ?? "big", false));
-    if (!this.wrapped.whole) return read;
-    const should = checksumOf(part, this.measuredBytes(part));
-    return judged(read, sameBytes(raw, should), part.digits ? latinOf(should) : hexOf(should, " "), "wrong_checksum");
-  }
-
-  codeValue(part, read) {
-    let code = exactWhole(read.number);
-    if (this.shape.escape?.remote !== undefined) {
-      read = { ...read, number: onBits(code, 2 ** 30, (bits, flag) => bits & ~flag) };
-      this.values.set(part.name, read.number);
+  _partText(part, raw) {
+    if (part.role === "checksum") {
+      return this._checked(part, raw);
     }
-    const { link, direction } = this;
-    const { exception } = link;
-    if (exception && direction === "response" && isException(exception, code, (name) => this.partNumber(name))) {
+    if (part.reserved) {
+      return decodeValue(this.layout.device, part.value, raw, part.order, false, part.reserved);
+    }
+    const read = decodeValue(this.layout.device, part.value, raw, part.order, false);
+    if (!py.isWhole(read.number)) {
+      return read;
+    }
+    if (part.role === "length") {
+      return this._judgedLength(part, read);
+    }
+    if (part.offset < 0) {
+      return read;
+    }
+    py.put(this.values, part.name, this.shape.statedNumber(part, read.number));
+    if (part.role === "code") {
+      return this._code(part, py.replace(read, { number: py.item(this.values, part.name) }), read.number);
+    }
+    if (part.role === "unit_address") {
+      return this._unitAddress(read);
+    }
+    const stated = py.truth(this.asked) ? this.asked.values.get(part.part.sameAs) : null;
+    return (read.reason || stated == null) ? read : repeatedValue(read, stated, part.value);
+  }
+
+  _judgedLength(part, read) {
+    if (!this.wrapped.whole) {
+      return read;
+    }
+    const expected = part.number(this._measured(part).length);
+    const right = expected != null && py.equal(read.number, expected);
+    return read.judged(right, expected != null ? expected : SENTENCES.ANOTHER_LENGTH, "wrong_length");
+  }
+
+  _checked(part, raw) {
+    const read = new DecodedValue(py.truth(part.digits) ? py.decode(raw, "latin-1") : whole(raw, part.order));
+    if (!this.wrapped.whole) {
+      return read;
+    }
+    const expected = part.checksum(this._measured(part));
+    const text = py.truth(part.digits) ? py.decode(expected, "ascii") : py.hex(expected, " ").toUpperCase();
+    return read.judged(py.equal(raw, expected), text, "wrong_checksum");
+  }
+
+  _code(part, read, code) {
+    let expected, message, text;
+    const refusal = this.link.exceptionResponse;
+    const head = this.shape.numbers(this.data);
+    if (refusal != null && this.direction === "response" && refusal.isMarked(code, head)) {
       this.error = true;
-      code = onBits(code, exception.flag, (bits, mask) => bits & ~mask);
-      this.values.set(part.name, code);
-      if (exception.code !== undefined) return this.refusingCode(read);
-    }
-    const end = this.data.length - this.shape.trailerSize;
-    const body = this.data.subarray(this.shape.headerSize, Math.max(this.shape.headerSize, end));
-    this.message = this.error
-      ? refusedMessage(link, code, this.named)
-      : messageWithCode(link, direction, code, body, this.named);
-    if (!this.message) {
-      const digits = code.toString(16).padStart(2, "0");
-      if (this.error) return { ...read, meanings: [meaningOf("", "", sentence(SENTENCES.CODE_REFUSED, { code: `0x${digits}` }))] };
-      if (isAmbiguous(link, direction, code)) {
-        const names = link.messagesByCode[direction].get(code).map(({ name }) => name).join(", ");
-        return judged(read, false, sentence(SENTENCES.SHARED_CODE, { names }), "unknown_code");
+      code = py.without(code, refusal.flag);
+      py.put(this.values, part.name, code);
+      if (refusal.code != null) {
+        return this._refusingCode(read);
       }
-      const known = Object.values(link.codes[direction]).join(", ");
-      const several = sentence(known ? SENTENCES.PERMITTED_NAMES : SENTENCES.CODE_OF_NONE, { names: known, direction });
-      return judged(read, false, this.sent.has(this.named) ? link.codes[direction][this.named] : several, "unknown_code");
     }
-    const { name, label, title = "", notes = [], path } = this.message;
-    const text = this.error ? sentence(SENTENCES.REFUSED_CODE, { message: title || label || name }) : title;
-    const meaning = { ...read, meanings: [meaningOf(name, label, text)], notes, facts: [path] };
-    const expected = this.sent.get(this.named);
-    if (!expected || expected === this.message || this.error) return meaning;
-    return judged(meaning, false, link.codes[direction][this.named], "unknown_code");
-  }
-
-  refusingCode(read) {
-    this.message = this.link.carriedMessages.request.get(this.named);
-    if (!this.message) return { ...read, meanings: [meaningOf("", "", SENTENCES.REQUEST_REFUSED)] };
-    const { name, label, title, notes = [], path } = this.message;
-    const text = sentence(SENTENCES.MESSAGE_REFUSED, { message: title || label || name });
-    return { ...read, meanings: [meaningOf("", "", text)], notes, facts: [path] };
-  }
-
-  partNumber(name) {
-    const part = this.shape.header.find((own) => own.name === name);
-    return part.offset + part.size <= this.data.length ? numberOf(part, this.data) : undefined;
-  }
-
-  addressValue(read) {
-    const { addresses } = this.link;
-    if (!addresses?.ranges) return read;
-    if (addresses.broadcast !== undefined && read.number == addresses.broadcast) {
-      return { ...read, meanings: [meaningOf("broadcast", "", SENTENCES.BROADCAST)], verdict: "", reason: "" };
-    }
-    if (isWithin(addresses.ranges, read.number)) return read;
-    return judged(read, false, intervalsText(addresses.ranges), "out_of_range");
-  }
-
-  body() {
+    const link = py.item(this.layout.links, this.link.name);
     const start = this.shape.headerSize;
-    const end = this.bodyEnd();
-    const isException = this.error && this.link.exception;
-    const record = isException ? this.device.records.get(this.link.exception.record) : this.message?.[this.direction];
-    if (!record) return { rows: this.unknownRows(start, end), registers: [] };
-    const { message } = this;
-    const asked = this.asked?.values ?? NOTHING;
-    const isRequest = Boolean(message) && record === message.request;
-    const body = new ExplainedBody(this.device, record, message ?? record, isRequest, this.data, start, end, this.spot, asked);
-    for (const [name, value] of body.values) this.values.set(name, value);
-    const rows = body.rows.filter((row) => this.wrapped.whole || row.kind !== "unexplained" || row.length);
-    if (!message || this.error) return { rows, registers: [] };
-    const answered = this.direction === "request" ? null : asked;
-    const spans = accessedSpans(message, record, start, this.data.subarray(start, Math.max(start, end)), body.values, answered);
-    return { rows, registers: spans.flatMap(([{ operation }, span]) => registerRows(this.device, span, this.spot, operation)) };
+    const end = py.max(start, this.data.length - this.shape.trailerSize);
+    if (this.error) {
+      this.message = link.refusedMessage(code, this.named);
+    } else {
+      this.message = link.messageWithCode(code, this.direction, py.slice(this.data, start, end), this.named);
+    }
+    if (this.message == null) {
+      if (this.error) {
+        text = py.format(SENTENCES.CODE_REFUSED, { code: `0x${py.hexadecimal(code, "02x")}` });
+        return py.replace(read, { meanings: [new Meaning("", "", text, "")] });
+      }
+      const ambiguous = link.ambiguousCodes(this.direction).get(code);
+      if (ambiguous != null) {
+        const names = py.join(", ", [...ambiguous].map((message) => message.name));
+        return read.judged(false, py.format(SENTENCES.SHARED_CODE, { names }), "unknown_code");
+      }
+      expected = this.sent.get(this.named);
+      const known = py.join(", ", [...this.sent.values()].map((message) => link.codeText(message, this.direction)));
+      const sentence = known ? SENTENCES.PERMITTED_NAMES : SENTENCES.CODE_OF_NONE;
+      const severalText = py.format(sentence, { names: known, direction: this.direction });
+      text = expected == null ? severalText : link.codeText(expected, this.direction);
+      return read.judged(false, text, "unknown_code");
+    }
+    message = this.message.message;
+    const title = py.either(message.title, () => message.label || message.name);
+    text = this.error ? py.format(SENTENCES.REFUSED_CODE, { message: title }) : message.title;
+    const meaning = new Meaning(message.name, message.label, text, "");
+    read = py.replace(read, { meanings: [meaning], notes: message.notes, facts: [message.path] });
+    expected = this.sent.get(this.named);
+    if (expected == null || expected === this.message || this.error) {
+      return read;
+    }
+    return read.judged(false, link.codeText(expected, this.direction), "unknown_code");
   }
 
-  unknownRows(start, end) {
-    const data = this.data.subarray(start, end);
-    if (!this.shape.code) return [wrongRow(this.spot, start, data, "unknown_code", SENTENCES.NO_CODE)];
-    if (end <= start) return [];
-    return [{ ...wrongRow(this.spot, start, data, "", ""), verdict: "", doc: SENTENCES.UNKNOWN_DATA }];
+  _refusingCode(read) {
+    this.message = py.item(this.layout.links, this.link.name).carried("request").get(this.named);
+    if (this.message == null) {
+      return py.replace(read, { meanings: [new Meaning("", "", SENTENCES.REQUEST_REFUSED, "")] });
+    }
+    const message = this.message.message;
+    const text = py.format(SENTENCES.MESSAGE_REFUSED, { message: py.either(message.title, () => message.label || message.name) });
+    return py.replace(read, {
+      meanings: [new Meaning("", "", text, "")],
+      notes: message.notes,
+      facts: [message.path],
+    });
   }
 
-  tailRows() {
-    const { headerSize, trailerSize, trailer } = this.shape;
-    return this.wrapped.whole ? this.partRows(trailer, Math.max(headerSize + trailerSize, this.data.length)) : [];
+  _unitAddress(read) {
+    const addresses = this.link.unitAddresses;
+    if (addresses == null || addresses.ranges == null) {
+      return read;
+    }
+    if (py.equal(read.number, addresses.broadcast)) {
+      return py.replace(read, {
+        meanings: [new Meaning("broadcast", "", SENTENCES.BROADCAST, "")],
+        verdict: "",
+        reason: "",
+      });
+    }
+    if (py.has(addresses.ranges, read.number)) {
+      return read;
+    }
+    return read.judged(false, addresses.ranges.text(), "out_of_range");
+  }
+
+  _record() {
+    if (this.error && this.link.exceptionResponse != null) {
+      return py.item(this.layout.records, this.link.exceptionResponse.record);
+    }
+    return this.message ? this.message.data(this.direction) : null;
+  }
+
+  _body() {
+    let span;
+    const [start, record] = [this.shape.headerSize, this._record()];
+    const end = this._bodyEnd();
+    if (record == null) {
+      return [py.list(this._unknown(start, end)), NO_REGISTERS];
+    }
+    const message = this.message ? this.message.message : null;
+    const requestValues = py.truth(this.asked) ? this.asked.values : py.dict([]);
+    const body = new Body(this.layout, record, py.either(message, () => record.record), this.data, start, end, this.spot, requestValues);
+    this.values.update(body.values);
+    const rows = [...body.rows].filter((row) => this.wrapped.whole || row.kind !== "unexplained" || row.length);
+    if (message == null || this.error) {
+      return [rows, NO_REGISTERS];
+    }
+    const answeredValues = this.direction === "response" ? requestValues : null;
+    const bodyBytes = [start, py.slice(this.data, start, end)];
+    const accesses = py.list(accessedSpans(this.layout, message, record, bodyBytes, body.values, answeredValues));
+    if (message.singleAccess != null && py.truth(accesses)) {
+      [[, span]] = accesses;
+      this.accessed = [span.address, span.end - 1];
+    }
+    return [rows, new RegisterRows(this.layout, this.spot, [...accesses].map(([access, span]) => [access.operation, span]))];
+  }
+
+  *_unknown(start, end) {
+    if (this.shape.role("code") == null) {
+      yield wrongRow(this.spot, start, py.slice(this.data, start, end), "unknown_code", SENTENCES.NO_CODE);
+    } else if (end > start) {
+      const row = wrongRow(this.spot, start, py.slice(this.data, start, end), "", "");
+      yield py.replace(row, { verdict: "", doc: SENTENCES.UNKNOWN_DATA });
+    }
+  }
+
+  _tail() {
+    const end = py.max(this.shape.headerSize + this.shape.trailerSize, this.data.length);
+    return this._parts(this.wrapped.whole ? this.shape.trailer : [], end);
   }
 }
 
-function numberOf({ offset, size, order, value }, data) {
-  const bytes = data.subarray(offset, offset + size);
-  if (value.digits) return (bytes.length === size ? digitsNumber(value, bytes) : undefined) ?? NaN;
-  return wholeOf(bytes, order === "little" ? "little" : "big", value.signed);
+function frameRowsIsRight(checks, data) {
+  return [...checks].every((check) => py.equal(check.checksum(data), py.slice(py.slice(data, check.at(data.length)), undefined, check.size)));
 }
 
-function namesOfLength(link, direction, frame) {
-  const { length } = unwrapped(link, direction, frame).data;
-  const fitting = link.lengths[direction].filter(([, least, most]) => least <= length && (most === null || length <= most));
-  return fitting.map(([name]) => name);
+const [MOST_REMEMBERED, LONGEST_REMEMBERED] = [256, 300];
+const remembered = new WeakMap();
+
+function explained(device, link, direction, frame, message = "", request = new Uint8Array()) {
+  if (!remembered.has(device)) remembered.set(device, new Map());
+  const known = remembered.get(device);
+  const key = [link, direction, message, hexOf(frame), hexOf(request)].join(" ");
+  if (!known.has(key)) {
+    const asked = request.length && direction === "response" ? explained(device, link, "request", request, message) : null;
+    const explanation = explainedAfter(device, link, direction, frame, message, asked);
+    if (frame.length + request.length > LONGEST_REMEMBERED) return explanation;
+    if (known.size >= MOST_REMEMBERED) known.delete(known.keys().next().value);
+    known.set(key, explanation);
+  }
+  return known.get(key);
+}
+
+function placeText({ canPlace, path, byteText }) {
+  return path ? `${path} ${canPlace === "identifier" ? "in" : "at"} ${byteText}` : byteText;
+}
+
+const NAMES = { canPlace: "can_place", printedName: "printed_name", words: undefined, unit: undefined };
+
+function emptied(data, names = {}) {
+  const result = {};
+  for (const key in data) {
+    const name = key in names ? names[key] : key;
+    if (name) result[name] = data[key] === "" ? null : data[key];
+  }
+  return result;
+}
+
+function rowData(row) {
+  const data = emptied(row, NAMES);
+  data.raw = hexOf(row.raw);
+  data.number = portableValue(row.number);
+  data.meanings = row.meanings.map((meaning) => emptied(meaning));
+  data[row.unit === "byte" ? "size" : `${row.unit || "word"}s`] = row.words || null;
+  return data;
 }
 
 function readingData([link, direction, message, error]) {
@@ -3043,522 +4148,770 @@ function explanationData(device, explanation, readings, chosen, remarks, wrong) 
     message: explanation.message || null,
     error: explanation.error,
     wrong,
-    reasons: reasonsOf(explanation),
+    reasons: explanation.reasons,
     chosen,
     readings: readings.map(readingData),
     remarks,
-    values: portableValue(explanation.values),
+    values: portableValue(new Map(explanation.values.entries())),
     rows: explanation.rows.map(rowData),
     registers: explanation.registers.map(rowData),
     errata: device.data.errata.filter(({ id }) => errata.has(id)),
   };
 }
 
-const DIRECTIONS = ["request", "response"];
 
-const OF_VALUES = ["unknown_value", "wrong_const", "wrong_measure"];
-const GUESSED = "guessed";
-const FITTING = [[GUESSED], [...OF_VALUES, GUESSED]].map((reasons) => new Set(reasons));
-const CLOSE = [
-  ...FITTING,
-  new Set([...OF_VALUES, "wrong_checksum", GUESSED]),
-  new Set([...OF_VALUES, "wrong_checksum", "wrong_length", "incomplete"]),
-];
+function sizeText(link, own) {
+  if (link.link.isCan) {
+    return py.format(SENTENCES.SIZE_OF_DATA, { bytes: byteCount(own.frame.length - CAN_HEADER) });
+  }
+  const rows = [...own.rows].filter((row) => row.kind !== "mark");
+  const isHex = link.link.transmission === "hex_ascii";
+  const size = isHex ? Math.floor(py.sum([...rows].map((row) => row.length)) / 2) : py.sum([...rows].map((row) => row.raw.length));
+  const names = py.dict([["preamble", link.link.preamble != null], ["delimiters", py.any(link.link.marks(own.direction))], ["escapes", link.frame(own.direction).escape != null]]);
+  const without = [...names.entries()].filter(([name, isPresent]) => isPresent).map(([name, isPresent]) => name);
+  const sentence = py.truth(without) ? SENTENCES.SIZE_WITHOUT : SENTENCES.SIZE_OF_FRAME;
+  return py.format(sentence, { names: py.join(" and ", without), bytes: byteCount(size) });
+}
 
-function readingsOf(device, frame, close = false) {
-  const faults = new Map();
-  for (const link of device.links.values()) {
-    for (const direction of DIRECTIONS) {
-      for (const message of candidatesOf(link, direction, frame, close)) {
-        const explanation = explained(device, link.name, direction, frame, message);
-        const reading = readingOf(explanation);
-        const key = JSON.stringify(reading);
-        if (faults.has(key) || (message && explanation.error)) continue;
-        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(message ? [GUESSED] : [])] });
+function boundsText(minimum, maximum, identifier) {
+  const lowest = minimum - identifier;
+  if (maximum == null || py.equal(maximum, minimum)) {
+    return maximum == null ? py.format(SENTENCES.OR_MORE, { low: lowest }) : py.str(lowest);
+  }
+  return py.format(SENTENCES.BOUNDS, { low: lowest, high: maximum - identifier });
+}
+
+
+const RECOGNITION_OF_VALUES = ["unknown_value", "wrong_const", "wrong_measure"];
+
+const RECOGNITION_GUESSED = "guessed";
+
+const RECOGNITION_FITTING = [py.frozenset([RECOGNITION_GUESSED]), py.frozenset([...RECOGNITION_OF_VALUES, RECOGNITION_GUESSED])];
+
+const RECOGNITION_CLOSE = [...RECOGNITION_FITTING, py.frozenset([...RECOGNITION_OF_VALUES, "wrong_checksum", RECOGNITION_GUESSED]), py.frozenset([...RECOGNITION_OF_VALUES, "wrong_checksum", "wrong_length", "incomplete"])];
+
+function recognised(layout, frame) {
+  return recognitionReadings(layout, frame, RECOGNITION_FITTING);
+}
+
+function closest(layout, frame) {
+  return recognitionReadings(layout, frame, RECOGNITION_CLOSE);
+}
+
+function recognitionReadings(layout, frame, steps) {
+  let reasons;
+  const reasonsOf = py.dict([]);
+  for (const link of layout.links.values()) {
+    for (const direction of ["request", "response"]) {
+      if (steps === RECOGNITION_FITTING && isDamaged(layout, link.name, direction, frame)) {
+        continue;
+      }
+      let names = steps === RECOGNITION_FITTING ? recognitionOfLength(link, direction, frame) : py.list(link.carried(direction));
+      if (link.frame(direction).role("code") != null) {
+        const ambiguous = link.ambiguousCodes(direction).values();
+        const shared = [...ambiguous].flatMap((messages) => [...messages].map((message) => message.name));
+        names = ["", ...[...shared].filter((name) => py.has(names, name))];
+      } else if (direction === "response" && link.hasUncodedExceptions) {
+        names.push("");
+      }
+      for (const message of names) {
+        const explanation = explained(layout, link.name, direction, frame, message);
+        if (py.truth(message) && explanation.error) {
+          continue;
+        }
+        reasons = py.frozenset(py.truth(message) ? [...(explanation.reasons ?? []), RECOGNITION_GUESSED] : explanation.reasons);
+        reasonsOf.setdefault([link.name, direction, explanation.message, explanation.error], reasons);
       }
     }
   }
-  for (const accepted of close ? CLOSE : FITTING) {
-    const fitting = [...faults.values()]
-      .filter(({ reading, reasons }) => reasons.every((reason) => accepted.has(reason)) && (reading[2] || reading[3]));
-    if (fitting.length) return fitting.map(({ reading }) => reading);
+  for (const accepted of steps) {
+    const fitting = [...reasonsOf.entries()].filter(([reading, reasons]) => py.issubset(reasons, accepted) && (py.truth(reading[2]) || py.truth(reading[3]))).map(([reading, reasons]) => reading);
+    if (py.truth(fitting)) {
+      return fitting;
+    }
   }
   return [];
 }
 
-function candidatesOf(link, direction, frame, close) {
-  const coded = Boolean(link[direction].code);
-  if (coded && (direction === "request" || !link.ambiguous)) return [""];
-  const names = close ? [...link.carriedMessages[direction].keys()] : namesOfLength(link, direction, frame);
-  if (!coded) return direction === "response" && link.exception ? [...names, ""] : names;
-  const several = link.ambiguous.flatMap((code) => link.messagesByCode[direction].get(code).map(({ name }) => name));
-  return ["", ...several.filter((name) => names.includes(name))];
+function recognitionOfLength(link, direction, frame) {
+  const length = unwrapped(link.link, direction, frame).data.length;
+  const bounds = sentLengths(link, direction);
+  return [...bounds].filter(([name, minimum, maximum]) => minimum <= length && (maximum == null || length <= maximum)).map(([name, minimum, maximum]) => name);
 }
 
-function isGuessed(device, link, direction, message) {
-  return !link[direction].code || isAmbiguous(link, direction, codeIn(direction, device.messages.get(message)));
+function* sentLengths(link, direction) {
+  const escape = link.frame(direction).escape;
+  for (const name of link.carried(direction)) {
+    let [minimum, maximum] = lengths(link, direction, name);
+    if (escape != null) {
+      [minimum, maximum] = [0, maximum == null ? null : escape.most(maximum)];
+    }
+    yield [name, minimum, maximum];
+  }
 }
 
-function readingOf({ link, direction, message, error }) {
-  return [link, direction, message, error];
+function lengths(link, direction, message) {
+  const [shape, body] = [link.frame(direction), py.item(link.messages, message).data(direction)];
+  const partsSize = shape.headerSize + shape.trailerSize;
+  return [body.least + partsSize, body.most == null ? null : body.most + partsSize];
 }
 
-function explainedReading(device, frame, [link, direction, message]) {
-  return explained(device, link, direction, frame, message);
-}
+
+const DIRECTIONS = ["request", "response"];
 
 class FrameOptions {
-  constructor(places = [], message = "") {
-    Object.assign(this, { places, message });
+  constructor({ places = [], message = "" }) {
+    this.places = places;
+    this.message = message;
   }
 
-  allows([link, direction, message]) {
+  allows(reading) {
+    const [link, direction, message, ] = reading;
     return this.goes(link, direction) && (!this.message || this.message === message);
   }
 
   goes(link, direction) {
-    return !this.places.length || this.places.some(([other, way]) => other === link && way === direction);
+    return !py.truth(this.places) || py.has(this.places, [link, direction]);
   }
 
-  allowsDirection(direction) {
-    return !this.places.length || this.places.some(([, way]) => way === direction);
+  get directions() {
+    return py.truth(this.places) ? py.frozenset([...this.places].map(([, direction]) => direction)) : py.frozenset(DIRECTIONS);
   }
 }
 
-function readFrame(device, frame, options, mark = "", asked = null) {
-  const answer = asked && options.allowsDirection("response") ? answerOf(device, frame, asked.request) : null;
-  if (answer) {
-    if (asked.sure || (mark !== "request" && !isWrong(answer))) return answer;
+class OpenRequest {
+  constructor({ request, sure }) {
+    this.request = request;
+    this.sure = sure;
   }
-  const fitting = readingsOf(device, frame)
-    .map((reading) => namedByExample(reading, exampleReadings(device, frame)))
-    .map((reading) => namedByOption(device, frame, reading, options))
-    .filter((reading) => options.allows(reading));
-  if (!fitting.length) {
-    const near = closestReading(device, frame, options, mark);
-    return answer && mark === "response" && near.explanation.direction !== mark ? answer : near;
+}
+
+class ChosenReading {
+  constructor({ explanation, readings, chosen, mismatches = [] }) {
+    this.explanation = explanation;
+    this.readings = readings;
+    this.chosen = chosen;
+    this.mismatches = mismatches;
   }
-  const examples = exampleKeys(device, frame);
-  const doubts = new Map(fitting.map((reading) => [reading, doubtsOf(device, reading, mark, examples)]));
-  fitting.sort((left, right) => comparedLists(doubts.get(left), doubts.get(right)));
-  const marked = fitting.filter(([, direction]) => direction === mark);
+
+  get wrong() {
+    return py.truth(py.either(this.explanation.reasons, () => this.mismatches)) || !py.truth(this.readings);
+  }
+
+  get alternatives() {
+    const own = readingOf(this.explanation);
+    return [...this.readings].filter((reading) => !py.equal(reading, own));
+  }
+}
+
+function readFrame(layout, frame, options, mark = "", openRequest = null) {
+  const answer = (openRequest != null && py.has(options.directions, "response")) ? readingsAnswer(layout, frame, openRequest) : null;
+  if (openRequest != null && answer != null && (openRequest.sure || (mark !== "request" && !answer.wrong))) {
+    return answer;
+  }
+  const examples = readingsExamples(layout, frame);
+  const readings = [...recognised(layout, frame)].map((reading) => readingsNamedByExample(reading, examples));
+  const namedReadings = [...readings].map((reading) => readingsNamedByOption(layout, frame, reading, options));
+  let fitting = [...namedReadings].filter((reading) => options.allows(reading));
+  if (!py.truth(fitting)) {
+    const closestReading = readingsClosest(layout, frame, options, mark);
+    const isAnswer = mark === "response" && closestReading.explanation.direction !== mark;
+    return (answer != null && isAnswer) ? answer : closestReading;
+  }
+  fitting = py.sorted(fitting, (reading) => readingsDoubts(layout, reading, mark, examples));
+  const marked = [...fitting].filter((reading) => reading[1] === mark);
   const chosen = fitting.length === 1 ? "only" : marked.length === 1 ? "mark" : "likeliest";
-  const mismatches = answer && chosen !== "likeliest" ? unrepeated(answer, fitting[0]) : [];
-  return { explanation: explainedReading(device, frame, fitting[0]), readings: fitting, chosen, mismatches };
+  const mismatches = (answer != null && chosen !== "likeliest") ? readingsUnrepeated(answer, fitting[0]) : [];
+  return new ChosenReading({
+    explanation: readingsExplained(layout, frame, fitting[0]),
+    readings: py.tuple(fitting),
+    chosen,
+    mismatches,
+  });
 }
 
-function unrepeated({ explanation, mismatches }, reading) {
-  const own = readingOf(explanation);
-  if (reasonsOf(explanation).length || reading.some((value, at) => value !== own[at])) return [];
-  return mismatches.every((text) => text.includes(SENTENCES.NOT_REPEATED)) ? mismatches : [];
-}
-
-function isWrong({ explanation, readings, mismatches }) {
-  return Boolean(reasonsOf(explanation).length || mismatches.length || !readings.length);
-}
-
-function exampleReadings(device, frame) {
-  return device.readingsOf.get(hexOf(frame)) ?? [];
-}
-
-function exampleKeys(device, frame) {
-  return new Set(exampleReadings(device, frame).map((reading) => JSON.stringify(reading)));
-}
-
-function namedByExample(reading, examples) {
-  const [link, direction, message, error] = reading;
-  if (message || !error) return reading;
-  const example = examples.find(([ownLink, way, , isError]) => ownLink === link && way === direction && isError);
-  return example ?? reading;
-}
-
-function namedByOption(device, frame, reading, options) {
-  const [link, direction, message, error] = reading;
-  if (message || !error || !options.message) return reading;
-  const named = readingOf(explained(device, link, direction, frame, options.message));
-  return named[2] === options.message && named[3] ? named : reading;
-}
-
-function doubtsOf(device, reading, mark, examples) {
-  const [link, direction, message, error] = reading;
-  const guessed = !error && isGuessed(device, device.links.get(link), direction, message);
-  const loose = guessed && Boolean(message) && device.messages.get(message)[direction].size === undefined;
-  return [mark !== "" && direction !== mark, !examples.has(JSON.stringify(reading)), guessed, loose].map(Number);
-}
-
-function comparedLists(left, right) {
-  const at = left.findIndex((number, place) => number !== right[place]);
-  return at < 0 ? 0 : left[at] - right[at];
-}
-
-function closestReading(device, frame, options, mark) {
-  let near = readingsOf(device, frame, true)
-    .map((reading) => namedByOption(device, frame, reading, options))
-    .filter((reading) => options.allows(reading));
-  if (!near.length) {
-    const places = [...device.links.keys()].flatMap((link) => DIRECTIONS.map((direction) => [link, direction]))
-      .filter(([link, direction]) => options.goes(link, direction));
-    const carrying = places.filter(([link, direction]) => device.links.get(link).carriedMessages[direction].has(options.message));
-    const sending = places.filter(([link, direction]) => device.links.get(link).carriedMessages[direction].size);
-    near = [carrying, sending, places].find((some) => some.length).map((place) => [...place, options.message, false]);
+function readingsUnrepeated(answer, reading) {
+  if (py.truth(answer.explanation.reasons) || !py.equal(readingOf(answer.explanation), reading)) {
+    return [];
   }
-  const examples = exampleKeys(device, frame);
-  const faultsOf = (reading) => {
-    const reasons = reasonsOf(explainedReading(device, frame, reading));
-    const marks = reasons.filter((reason) => reason === "wrong_mark" || reason === "not_hex").length;
-    return [marks, ...doubtsOf(device, reading, mark, examples), reasons.length];
-  };
-  const ranked = near.map((reading) => ({ reading, faults: faultsOf(reading) }));
-  ranked.sort((left, right) => comparedLists(left.faults, right.faults));
-  return { explanation: explainedReading(device, frame, ranked[0].reading), readings: [], chosen: "closest", mismatches: [] };
+  const only = [...answer.mismatches].every((text) => py.has(text, SENTENCES.NOT_REPEATED));
+  return only ? answer.mismatches : [];
 }
 
-function answerOf(device, frame, request) {
-  const response = explained(device, request.link, "response", frame, request.message, request);
-  const fits = !reasonsOf(response).length;
-  return {
+function readingsExamples(layout, frame) {
+  return [...examplesOfBytes(layout.device, frame)].filter((example) => py.equal(example.frame, frame)).map((example) => [example.link, example.direction, example.message, example.exceptionResponse]);
+}
+
+function readingsNamedByExample(reading, examples) {
+  const [link, direction, message, error] = reading;
+  if (py.truth(message) || !py.truth(error)) {
+    return reading;
+  }
+  return py.next([...examples].filter((other) => py.equal(py.slice(other, undefined, 2), [link, direction]) && py.truth(other[3])), reading);
+}
+
+function readingsNamedByOption(layout, frame, reading, options) {
+  const [link, direction, message, error] = reading;
+  if (py.truth(message) || !py.truth(error) || !options.message) {
+    return reading;
+  }
+  const optionReading = readingOf(explained(layout, link, direction, frame, options.message));
+  return (optionReading[2] === options.message && py.truth(optionReading[3])) ? optionReading : reading;
+}
+
+function readingOf(explanation) {
+  return [explanation.link, explanation.direction, explanation.message, explanation.error];
+}
+
+function readingsExplained(layout, frame, reading) {
+  const [link, direction, message, ] = reading;
+  return explained(layout, link, direction, frame, message);
+}
+
+function readingsDoubts(layout, reading, mark, examples) {
+  const [link, direction, message, error] = reading;
+  const guessed = !py.truth(error) && py.item(layout.links, link).isGuessed(direction, message);
+  const loose = guessed && py.truth(message) && py.item(layout.messages, message).data(direction).size == null;
+  return [py.truth(mark) && direction !== mark, !py.has(examples, reading), guessed, loose];
+}
+
+function readingsClosest(layout, frame, options, mark) {
+  let reading;
+  const namedReadings = [...closest(layout, frame)].map((reading) => readingsNamedByOption(layout, frame, reading, options));
+  let candidates = [...namedReadings].filter((reading) => options.allows(reading));
+  if (!py.truth(candidates)) {
+    const places = [...layout.links].flatMap((link) => [...DIRECTIONS].filter((direction) => options.goes(link, direction)).map((direction) => [link, direction]));
+    const carrying = [...places].filter(([link, direction]) => py.has(py.item(layout.links, link).carried(direction), options.message));
+    const sending = py.either(carrying, () => [...places].filter(([link, direction]) => py.truth(py.item(layout.links, link).carried(direction))));
+    candidates = [...py.either(sending, () => places)].map(([link, direction]) => [link, direction, options.message, false]);
+  }
+  const examples = readingsExamples(layout, frame);
+  reading = py.min(candidates, (own) => readingsFaults(layout, frame, own, readingsDoubts(layout, own, mark, examples)));
+  return new ChosenReading({
+    explanation: readingsExplained(layout, frame, reading),
+    readings: [],
+    chosen: "closest",
+  });
+}
+
+function readingsFaults(layout, frame, reading, doubts) {
+  const reasons = readingsExplained(layout, frame, reading).reasons;
+  return [py.sum([...reasons].map((reason) => py.has(["wrong_mark", "not_hex"], reason))), doubts, reasons.length];
+}
+
+function readingsAnswer(layout, frame, openRequest) {
+  const request = openRequest.request;
+  const response = explained(layout, request.link, "response", frame, request.message, request.frame);
+  const mismatches = py.tuple(readingsMismatches(layout, request, response));
+  return new ChosenReading({
     explanation: response,
-    readings: fits ? [readingOf(response)] : [],
-    chosen: fits ? "request" : "closest",
-    mismatches: mismatchesOf(device, request, response),
-  };
+    readings: py.truth(response.reasons) ? [] : [readingOf(response)],
+    chosen: py.truth(response.reasons) ? "closest" : "request",
+    mismatches,
+  });
 }
 
-function mismatchesOf(device, request, response) {
-  const link = device.links.get(request.link);
-  const texts = [];
-  for (const role of ["unitAddress", "code"]) {
-    const [ours, theirs] = [link.request[role], link.response[role]];
-    const want = ours && request.values.get(ours.name);
-    const have = theirs && response.values.get(theirs.name);
-    if (role === "code" && response.error && link.exception?.code !== undefined) continue;
-    const { responseCode } = device.messages.get(request.message) ?? {};
-    if (role === "code" && responseCode !== undefined) {
-      if (isWhole(have ?? "") && have != responseCode) {
-        const [actual, expected] = [have, responseCode].map((number) => partNumberText(theirs, number));
-        texts.push(sentence(SENTENCES.ANOTHER_CODE, { name: theirs.name, actual, expected, message: request.message }));
+function* readingsMismatches(layout, request, response) {
+  let actual, expected;
+  for (const role of ["unit_address", "code"]) {
+    const ours = py.item(layout.links, request.link).request.role(role);
+    const theirs = py.item(layout.links, request.link).response.role(role);
+    expected = py.truth(ours) ? request.values.get(ours.name) : null;
+    actual = py.truth(theirs) ? response.values.get(theirs.name) : null;
+    if (role === "code" && readingsHasCodeOfItsOwn(layout, response)) {
+      continue;
+    }
+    const announced = layout.messages.get(request.message);
+    if (role === "code" && announced != null && announced.message.hasResponseCode) {
+      expected = announced.message.codeOf("response");
+      if (py.truth(theirs) && py.isWhole(actual) && !py.equal(actual, expected)) {
+        yield py.format(SENTENCES.ANOTHER_CODE, {
+          name: theirs.name,
+          actual: theirs.numberText(actual),
+          expected: theirs.numberText(expected),
+          message: request.message,
+        });
       }
-    } else if (isWhole(want ?? "") && isWhole(have ?? "") && have != want) {
-      texts.push(sentence(SENTENCES.ANOTHER_NUMBER, { name: ours.name, actual: have, expected: want }));
+      continue;
+    }
+    if (py.truth(ours) && py.isWhole(expected) && py.isWhole(actual) && !py.equal(actual, expected)) {
+      yield py.format(SENTENCES.ANOTHER_NUMBER, { name: ours.name, actual, expected });
     }
   }
   for (const row of response.rows) {
-    if (row.verdict.startsWith("wrong") && !row.reason) {
-      texts.push(sentence(SENTENCES.PART_NOT_REPEATED, { path: row.path, fault: faultOf(row.verdict) }));
+    if (py.startswith(row.verdict, "wrong") && !row.reason) {
+      yield py.format(SENTENCES.PART_NOT_REPEATED, { path: row.path, fault: faultOf(row.verdict) });
     }
   }
-  const message = response.error ? undefined : device.messages.get(response.message);
-  const { operation, count, values, unit = "word" } = message?.access ?? {};
-  if (operation === "read" && (count || unit !== "bit")) {
-    const want = count ? request.values.get(count) : 1;
-    const have = response.values.get(values);
-    const size = unit === "bit" && isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : want;
-    if (isWhole(want ?? "") && Array.isArray(have) && have.length != size) {
-      const fault = unit === "bit" ? SENTENCES.ASKED_BITS : SENTENCES.ASKED_VALUES;
-      texts.push(sentence(fault, { expected: want, unit, size, actual: have.length }));
+  const message = layout.messages.get(response.message);
+  const access = (py.truth(message) && !response.error) ? message.message.singleAccess : null;
+  if (access != null && access.operation === "read") {
+    const unit = layout.device.space(access.space).unit;
+    expected = py.truth(access.count) ? request.values.get(access.count) : unit === BIT ? null : 1;
+    actual = response.values.get(access.values);
+    if (py.isWhole(expected) && py.isList(actual)) {
+      const size = unit === BIT ? packedSize(expected) : expected;
+      if (actual.length !== size) {
+        const sentence = unit === BIT ? SENTENCES.ASKED_BITS : SENTENCES.ASKED_VALUES;
+        yield py.format(sentence, { expected, unit, size, actual: actual.length });
+      }
     }
   }
-  return texts;
 }
 
-const NAMED = 3;
+function readingsHasCodeOfItsOwn(layout, response) {
+  const refusal = py.item(layout.links, response.link).link.exceptionResponse;
+  return response.error && refusal != null && refusal.code != null;
+}
 
-function remarksOn(device, chosen, askedIn, options) {
-  const texts = [];
+const READINGS_NAMED = 3;
+
+function* remarksOn(layout, chosen, askedIn, options) {
   if (chosen.chosen === "closest") {
-    texts.push(sentence(SENTENCES.CLOSEST, device.data));
-    texts.push(...otherLengths(device, chosen, options));
-  } else if (askedIn && chosen.explanation.direction === "response" && !isUnrequested(device, chosen)) {
-    texts.push(sentence(chosen.chosen === "request" ? SENTENCES.ANSWERS : SENTENCES.DOES_NOT_ANSWER, { line: askedIn }));
+    yield py.format(SENTENCES.CLOSEST, { device: layout.device.id });
+    yield* readingsOfOtherLength(layout, chosen, options);
+  } else if (askedIn && chosen.explanation.direction === "response" && !readingsIsUnrequested(layout, chosen)) {
+    const answers = chosen.chosen === "request" ? SENTENCES.ANSWERS : SENTENCES.DOES_NOT_ANSWER;
+    yield py.format(answers, { line: askedIn });
   }
-  if (chosen.chosen === "likeliest") texts.push(ambiguityText(device, chosen));
-  return [...texts, ...chosen.mismatches];
+  if (chosen.chosen === "likeliest") {
+    yield readingsAmbiguous(layout, chosen);
+  }
+  yield* chosen.mismatches;
 }
 
-function isUnrequested(device, chosen) {
-  return Boolean(device.messages.get(chosen.explanation.message)?.unrequested);
+function readingsIsUnrequested(layout, chosen) {
+  const announced = layout.messages.get(chosen.explanation.message);
+  return announced != null && !announced.message.isRequested;
 }
 
-function isCoded(link) {
-  return DIRECTIONS.some((direction) => link[direction].code);
+function readingsCoded(layout, link) {
+  return [...DIRECTIONS].some((direction) => py.item(layout.links, link).frame(direction).role("code") != null);
 }
 
-function ambiguityText(device, chosen) {
+function readingsAmbiguous(layout, chosen) {
+  let names;
   const own = chosen.explanation;
-  const ownKey = JSON.stringify(readingOf(own));
-  const alternatives = chosen.readings.filter((reading) => JSON.stringify(reading) !== ownKey);
-  const readings = [readingOf(own), ...alternatives];
-  const options = optionsText(device, own, alternatives);
-  if (readings.every(([link]) => !isCoded(device.links.get(link)))) {
-    const names = readings.map(([link, direction, message]) => messageText(device.links.get(link), direction, message));
-    return sentence(SENTENCES.AMBIGUOUS_SIZE, { count: own.frame.length, names: enumeration(names, "or"), options });
+  const readings = [readingOf(own), ...(chosen.alternatives ?? [])];
+  const options = readingsOptions(layout, own, chosen.alternatives);
+  if ([...readings].every(([link, , , ]) => !readingsCoded(layout, link))) {
+    const texts = [...readings].map(([link, direction, name, ]) => readingsMessageText(py.item(layout.links, link).link, direction, name));
+    names = readingsEnumeration(texts, "or");
+    return py.format(SENTENCES.AMBIGUOUS_SIZE, { count: own.frame.length, names, options });
   }
-  const groups = new Map();
-  for (const [link, direction, message, error] of alternatives) {
-    const key = JSON.stringify([link, direction, error]);
-    if (!groups.has(key)) groups.set(key, { link, direction, error, names: [] });
-    groups.get(key).names.push(message || SENTENCES.UNKNOWN_MESSAGE);
+  const namesOf = py.dict([]);
+  for (const [link, direction, message, error] of chosen.alternatives) {
+    namesOf.setdefault([link, direction, error], []).push(py.either(message, () => SENTENCES.UNKNOWN_MESSAGE));
   }
-  const others = [...groups.values()].map(({ link, direction, error, names }) => namedReading(device, own, link, direction, error, names));
-  const explained = namedReading(device, own, own.link, own.direction, own.error, [own.message || SENTENCES.UNKNOWN_MESSAGE]);
-  return sentence(SENTENCES.AMBIGUOUS, { explained, others: others.join(" or "), options });
+  const alternativesText = py.join(" or ", [...namesOf.entries()].map(([[link, direction, error], names]) => readingsReadingsText(layout, own, link, direction, error, names)));
+  const ownNames = [own.message || SENTENCES.UNKNOWN_MESSAGE];
+  const explained = readingsReadingsText(layout, own, own.link, own.direction, own.error, ownNames);
+  return py.format(SENTENCES.AMBIGUOUS, { explained, others: alternativesText, options });
 }
 
-function optionsText(device, own, alternatives) {
-  const words = new Set([own.link, ...alternatives.map(([link]) => link)].map((link) => device.links.get(link).messageName));
-  const word = words.size === 1 ? [...words][0].replaceAll("_", "-") : "message";
-  const link = device.links.get(own.link);
-  let telling = [
-    ["link", alternatives.map(([other]) => other !== own.link)],
-    ["direction", alternatives.map(([, direction]) => direction !== own.direction)],
-    [word, alternatives.map(([, , message]) => message !== own.message)],
-  ];
-  const byMessage = telling[2][1];
-  if (own.direction === "response" && link.request.code && byMessage.some(Boolean)) telling = [["request", byMessage], ...telling];
-  const enough = telling.filter(([, tells]) => tells.every(Boolean)).map(([option]) => option);
-  if (enough.length) return sentence(SENTENCES.OPTION_TELLS, { options: enough.join(" or ") });
-  const helpful = telling.filter(([, tells]) => tells.some(Boolean)).map(([option]) => option);
-  return sentence(SENTENCES.OPTIONS_TELL, { options: helpful.join(" and ") });
+function readingsOptions(layout, own, alternatives) {
+  const links = [own.link, ...[...alternatives].map(([link, , , ]) => link)];
+  const words = py.list(py.dict([...links].map((link) => py.item(layout.links, link).link.messageName).map((key) => [key, null])));
+  const byMessage = [...alternatives].map(([, , message, ]) => message !== own.message);
+  const telling = py.dict([["request", (own.direction === "response" && readingsAsks(layout, own.link)) ? byMessage : [false]], ["link", [...alternatives].map(([link, , , ]) => !py.equal(link, own.link))], ["direction", [...alternatives].map(([, direction, , ]) => direction !== own.direction)], [words.length === 1 ? words[0] : "message", byMessage]]);
+  const enough = [...telling.entries()].filter(([option, tells]) => py.all(tells)).map(([option, tells]) => optionText(option));
+  if (py.truth(enough)) {
+    return py.format(SENTENCES.OPTION_TELLS, { options: py.join(" or ", enough) });
+  }
+  const helpful = [...telling.entries()].filter(([option, tells]) => py.any(tells)).map(([option, tells]) => optionText(option));
+  return py.format(SENTENCES.OPTIONS_TELL, { options: py.join(" and ", helpful) });
 }
 
-function namedReading(device, own, link, direction, error, messages) {
+function readingsAsks(layout, link) {
+  return py.item(layout.links, link).request.role("code") != null;
+}
+
+function readingsReadingsText(layout, own, link, direction, error, messages) {
   const isSingle = messages.length === 1;
-  const name = device.links.get(link).directionNames[direction];
-  const parts = {
+  const name = py.item(layout.links, link).link.directionName(direction);
+  let sentence = isSingle ? SENTENCES.READING : SENTENCES.READINGS;
+  if (!py.has(DIRECTIONS, name) && !error) {
+    sentence = isSingle ? SENTENCES.NAMED_MESSAGE : SENTENCES.NAMED_MESSAGES;
+  }
+  let kind = error ? "exception response" : direction;
+  let joint = kind !== "response" ? "of" : "to";
+  if (kind === "response" && [...messages].every((message) => !py.item(layout.messages, message).message.isRequested)) {
+    [kind, joint] = ["frame", "of"];
+  }
+  return py.format(sentence, {
     message: messages[0],
     count: messages.length,
-    names: (messages.length <= NAMED ? messages : [...messages.slice(0, NAMED), ".."]).join(", "),
+    names: py.join(", ", messages.length <= READINGS_NAMED ? messages : [...py.slice(messages, undefined, READINGS_NAMED), ".."]),
     direction: name,
-    place: link === own.link ? "" : sentence(SENTENCES.ON_LINK, { link }),
-  };
-  if (!DIRECTIONS.includes(name) && !error) return sentence(isSingle ? SENTENCES.NAMED_MESSAGE : SENTENCES.NAMED_MESSAGES, parts);
-  const isAnswer = !error && direction === "response" && messages.some((message) => !device.messages.get(message).unrequested);
-  const kind = error ? "exception response" : isAnswer || direction === "request" ? direction : "frame";
-  const joint = isAnswer ? "to" : "of";
-  return sentence(isSingle ? SENTENCES.READING : SENTENCES.READINGS, { kind, joint, ...parts });
+    place: link === own.link ? "" : py.format(SENTENCES.ON_LINK, { link }),
+    kind,
+    joint,
+  });
 }
 
-function messageText(link, direction, message) {
-  return sentence(SENTENCES.NAMED_MESSAGE, { message, direction: link.directionNames[direction], place: "" });
+function readingsMessageText(link, direction, message) {
+  return py.format(SENTENCES.NAMED_MESSAGE, { message, direction: link.directionName(direction), place: "" });
 }
 
-function otherLengths(device, chosen, options) {
+function readingsEnumeration(names, last) {
+  return names.length > 1 ? `${py.join(", ", py.slice(names, undefined, -1))} ${last} ${names.at(-1)}` : names[0];
+}
+
+function* readingsOfOtherLength(layout, chosen, options) {
   const own = chosen.explanation;
-  const link = device.links.get(own.link);
-  const ofLength = ["wrong_length", "incomplete", "unknown_code"];
-  if (isCoded(link) || !reasonsOf(own).some((reason) => ofLength.includes(reason))) return [];
-  const known = link.carriedMessages;
-  const all = new Set([...known.request.keys(), ...known.response.keys()]);
-  const names = all.has(options.message) ? [options.message] : [...all];
-  const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
-  const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
-    const [, , , size] = link.lengths[direction].find(([other]) => other === name);
-    return sentence(SENTENCES.SIZE_OF_MESSAGE, { message: messageText(link, direction, name), size });
-  }));
-  return sizes.length ? [sentence(SENTENCES.SIZES, { own: ownSize(link, own), others: sizes.join(", ") })] : [];
-}
-
-function ownSize(link, { direction, frame, rows }) {
-  const { escape } = link[direction];
-  if (escape?.method === "can") return sentence(SENTENCES.SIZE_OF_DATA, { bytes: byteCount(frame.length - 8) });
-  const inner = rows.filter(({ kind }) => kind !== "mark");
-  const isHex = link.transmission === "hex_ascii";
-  const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
-  const preamble = link.preamble ? ["preamble"] : [];
-  const without = [...preamble, ...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
-  const bytes = byteCount(isHex ? Math.trunc(size / 2) : size);
-  return sentence(without.length ? SENTENCES.SIZE_WITHOUT : SENTENCES.SIZE_OF_FRAME, { names: without.join(" and "), bytes });
-}
-
-const EACH_ENCLOSED = /^(?:(?:\[[0-9A-Fa-f]{2}\]\s*)+|(?:<[0-9A-Fa-f]{2}>\s*)+)$/;
-const QUOTED = /^(?:b?(["'])(.*)\1[,;]?|\[(.*)\]|\{(.*)\}|\((.*)\))$/s;
-const SEPARATOR = /[\s,;:+_|-]+|(?<=[0-9A-Fa-f])(?=\\x)/;
-const PIECE = /^(?:(?:0x|\\x|16#|&h|\$)?(?<digits>[0-9a-f]+)|(?<suffixed>[0-9a-f]+)h)$/i;
-const LAST = /(?:\\x(?<code>[0-9a-f]{2})|[<[]?(?<name>crlf|cr|lf|\\r|\\n)[>\]]?|(?<real>[\r\n]))$/i;
-const CHARACTERS = { "\\r": "\r", "\\n": "\n", cr: "\r", lf: "\n", crlf: "\r\n" };
-const CONTROLS = { 0x02: "STX", 0x03: "ETX", 0x0a: "LF", 0x0d: "CR" };
-
-const DIRECTION_OF = new Map(Object.entries(SENTENCES.DIRECTION_WORDS).flatMap(([direction, words]) => words.map((word) => [word, direction])));
-const MOST_MARKS = 8;  // each is tried, and a line of a log has few
-const LETTER = "[\\p{L}\\p{N}_]";
-const MARK = new RegExp(
-  `(?<!${LETTER}|\\.)(?<word>${[...DIRECTION_OF.keys()].join("|")})(?!${LETTER}|\\.)(?:\\s*[\\[(][^\\])]{0,40}[\\])])?(?:\\s*[:=](?=\\s|${LETTER}|$))?`
-  + `|(?:^|(?<=[\\s\\]]))(?<arrow>[\\-=]{0,2}>{1,3}|<{1,3}[\\-=]{0,2})(?=[\\s:\\[]|${LETTER}|$)(?![0-9A-Fa-f]{2}>)`,
-  "giu",
-);
-const COMMENT = /(?:^|(?<=\s))(?:#|\/\/).*/s;
-const CLOCK = "(?:[01]?\\d|2[0-3]):[0-5]\\d:[0-5]\\d(?:[.,]\\d{1,9}|:\\d{3,6})?Z?";
-const DATE = "(?:\\d{4}[-/.]\\d{1,2}[-/.]\\d{1,2}|\\d{1,2}[-/.]\\d{1,2}[-/.]\\d{4})";
-const TIME = `(?:${DATE}T${CLOCK}|${DATE}|${CLOCK}|[-+]?\\d+\\.\\d+(?:s|ms|us)?)[,;]?(?=\\s)`;
-const ENCLOSED = "\\[[^\\]]{0,80}\\]|\\([^)]{0,80}\\)";
-const BEFORE = new RegExp(
-  `^(?:[\\s,;|=-]+|${TIME}|\\d{4,}[-:](?=[0-9A-Fa-f]{2}\\b)|0000[0-9A-Fa-f]{4}:?\\s+(?=[0-9A-Fa-f]{2}\\b)|(?:${ENCLOSED}|[^\\s:]+:)(?=\\s))`,
-);
-const CANDUMP = new RegExp(
-  "(?:^|\\s)(?<identifier>[0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})"
-  + "(?:#(?:(?<remote>R)(?<dlc>[0-8])?|(?<data>(?:[0-9A-Fa-f]{2}){0,8}))(?:\\s+[RT])?"
-  + "|\\s+\\[(?<count>[0-8])\\](?:(?<words>\\s+remote request)|(?<bytes>(?:\\s+[0-9A-Fa-f]{2}){0,8})))\\s*$",
-);
-const MISTYPED = /^(?:[0-9][OoIl]|[OoIl][0-9])$/;
-const BEHIND = new RegExp(`\\s(?:${ENCLOSED}|\\|.{0,80}\\|)$`);
-
-class Unreadable extends Error {
-  constructor(message, isEmpty = false) {
-    super(message);
-    this.name = "Unreadable";
-    this.isEmpty = isEmpty;
+  const link = py.item(layout.links, own.link);
+  const isOfLength = [...own.reasons].some((reason) => py.has(["wrong_length", "incomplete", "unknown_code"], reason));
+  if (readingsCoded(layout, own.link) || !isOfLength) {
+    return;
+  }
+  const known = py.dict([...DIRECTIONS].map((direction) => [direction, link.carried(direction)]));
+  const names = py.list(py.dict([...py.item(known, "request"), ...py.item(known, "response")].map((key) => [key, null])));
+  const ways = [...DIRECTIONS].filter((direction) => options.goes(own.link, direction));
+  const escape = link.link.isCan ? link.link.escape : null;
+  const identifier = escape == null ? 0 : escape.fieldsSize;
+  const sizes = [...py.has(names, options.message) ? [options.message] : names].flatMap((name) => [...ways].filter((direction) => py.has(py.item(known, direction), name)).map((direction) => py.format(SENTENCES.SIZE_OF_MESSAGE, {
+    message: readingsMessageText(link.link, direction, name),
+    size: boundsText(...lengths(link, direction, name), identifier),
+  })));
+  if (py.truth(sizes)) {
+    yield py.format(SENTENCES.SIZES, { own: sizeText(link, own), others: py.join(", ", sizes) });
   }
 }
 
-function isEachEnclosed(text) {
-  return EACH_ENCLOSED.test(text.trim());
-}
 
-function unquoted(text) {
-  const match = isEachEnclosed(text) ? null : QUOTED.exec(text.trim());
-  return match ? match.slice(2).find((inner) => inner !== undefined) : text;
+const LINES_EACH_ENCLOSED = "(?:\\[[0-9A-Fa-f]{2}\\]\\s*)+|(?:<[0-9A-Fa-f]{2}>\\s*)+";
+
+const LINES_QUOTED = "(?s)b?([\"'])(.*)\\1[,;]?|\\[(.*)\\]|\\{(.*)\\}|\\((.*)\\)";
+
+const LINES_SEPARATOR = "[\\s,;:+_|-]+|(?<=[0-9A-Fa-f])(?=\\\\x)";
+
+const LINES_PIECE = "(?i)(?:0x|\\\\x|16#|&h|\\$)?(?P<digits>[0-9a-f]+)|(?P<suffixed>[0-9a-f]+)h";
+
+const LINES_LAST = "(?i)(?:\\\\x(?P<code>[0-9a-f]{2})|[<\\[]?(?P<name>crlf|cr|lf|\\\\r|\\\\n)[>\\]]?|(?P<real>[\\r\\n]))\\Z";
+
+const LINES_CHARACTERS = py.dict([["\\r", "\r"], ["\\n", "\n"], ["cr", "\r"], ["lf", "\n"], ["crlf", "\r\n"]]);
+
+const LINES_CONTROLS = py.dict([[2, "STX"], [3, "ETX"], [10, "LF"], [13, "CR"]]);
+
+class Unreadable extends RangeError {
+  get name() {
+    return "Unreadable";
+  }
 }
 
 function isHexWord(word) {
-  const pieces = word.split(SEPARATOR).filter(Boolean);
-  return pieces.length > 0 && pieces.every((piece) => PIECE.test(piece));
+  const pieces = [...py.re.split(LINES_SEPARATOR, word)].filter((piece) => py.truth(piece));
+  return py.truth(pieces) && [...pieces].every((piece) => py.truth(py.re.fullmatch(LINES_PIECE, piece)));
 }
 
-function bytesOfText(text) {
-  let inner = unquoted(text);
-  if (isEachEnclosed(inner)) inner = inner.replace(/[[\]<>]+/g, " ");
-  let digits = "";
-  const pieces = inner.split(SEPARATOR).filter(Boolean);
-  const isPadded = pieces.some((piece) => /^0[0-9A-Fa-f]/.test(piece));
-  for (const piece of pieces) {
-    const match = PIECE.exec(piece);
-    if (!match) throw new Unreadable(sentence(SENTENCES.NOT_A_BYTE, { piece }));
-    const own = match.groups.digits || match.groups.suffixed;
-    if (own.length % 2 && own.length > 1) throw new Unreadable(sentence(SENTENCES.ODD_DIGITS, { piece }));
-    if (piece.length === 1 && isPadded) throw new Unreadable(sentence(SENTENCES.SINGLE_DIGIT, { offset: digits.length / 2, piece }));
-    digits += own.padStart(2, "0");
+function isEachEnclosed(text) {
+  return py.re.fullmatch(LINES_EACH_ENCLOSED, py.strip(text)) != null;
+}
+
+function unquoted(text) {
+  const match = isEachEnclosed(text) ? null : py.re.fullmatch(LINES_QUOTED, py.strip(text));
+  return py.truth(match) ? py.next([...py.slice(py.groups(match), 1)].filter((inner) => inner != null)) : text;
+}
+
+function bytesOf(text) {
+  let data;
+  if (py.truth((data = linesHexBytes(text)))) {
+    return data;
   }
-  if (!digits) throw new Unreadable(SENTENCES.NO_BYTES);
-  return bytesOfHex(digits);
+  text = unquoted(text);
+  if (isEachEnclosed(text)) {
+    text = py.re.sub("[\\[\\]<>]+", " ", text);
+  }
+  data = Uint8Array.of();
+  const pieces = [...py.re.split(LINES_SEPARATOR, text)].filter((piece) => py.truth(piece));
+  const isPadded = [...pieces].some((piece) => py.truth(py.re.match("0[0-9A-Fa-f]", piece)));
+  for (const piece of pieces) {
+    const match = py.re.fullmatch(LINES_PIECE, piece);
+    if (match == null) {
+      throw new Unreadable(py.format(SENTENCES.NOT_A_BYTE, { piece }));
+    }
+    const digits = py.either(py.item(match, "digits"), () => py.item(match, "suffixed"));
+    if (py.truth(digits.length % 2) && digits.length > 1) {
+      throw new Unreadable(py.format(SENTENCES.ODD_DIGITS, { piece }));
+    }
+    if (piece.length === 1 && isPadded) {
+      throw new Unreadable(py.format(SENTENCES.SINGLE_DIGIT, { offset: data.length, piece }));
+    }
+    data = py.joined(data, py.bytesOfHex(py.zfill(digits, 2)));
+  }
+  if (!py.truth(data)) {
+    throw new Unreadable(SENTENCES.NO_BYTES);
+  }
+  return data;
 }
 
 function inCharacters(text, links) {
-  const inner = unquoted(text).trimStart();
+  text = py.lstrip(unquoted(text));
   for (const link of links) {
-    for (const [direction, mark] of Object.entries(link.openings ?? {})) {
-      if (!inner.startsWith(mark)) continue;
-      const [, close] = link.delimiters[direction];
-      const [text, end] = ended(inner);
-      const body = link.transmission === "hex_ascii" ? text.replace(/\s+/gu, "") : text;
-      const bytes = Array.from(body, (char) => (char.codePointAt(0) > 255 ? 0x3f : char.charCodeAt(0)));
-      return withEnd(bytes, Array.from(end, (char) => char.charCodeAt(0)), [...close]);
+    for (const [direction, mark] of link.openings.entries()) {
+      if (py.startswith(text, mark)) {
+        let [body, ending] = linesEnded(text);
+        if (link.transmission === "hex_ascii") {
+          body = py.join("", py.split(body));
+        }
+        const [, end] = link.marks(direction);
+        return linesSplitEnd(py.encode(body, "latin-1", "replace"), py.encode(ending, "latin-1"), end);
+      }
     }
   }
   return null;
 }
 
-function ended(text) {
-  let rest = text;
+function linesEnded(text) {
+  let match;
   let end = "";
-  for (;;) {
-    const trimmed = rest.replace(/[ \t]+$/, "");
-    const match = LAST.exec(trimmed.slice(-8));
-    if (!match) return [rest, end];
-    const { code, name, real } = match.groups;
-    rest = trimmed.slice(0, trimmed.length - match[0].length);
-    end = (code ? String.fromCharCode(parseInt(code, 16)) : real || CHARACTERS[name.toLowerCase()]) + end;
+  while (py.truth((match = py.re.search(LINES_LAST, py.slice(py.rstrip(text, " \t"), -8))))) {
+    text = py.rstrip(text, " \t");
+    text = py.slice(text, undefined, text.length - match[0].length);
+    if (py.truth(py.item(match, "code"))) {
+      end = py.chr(py.int(py.item(match, "code"), 16)) + end;
+    } else {
+      end = py.either(py.item(match, "real"), () => py.item(LINES_CHARACTERS, py.item(match, "name").toLowerCase())) + end;
+    }
   }
+  return [text, end];
 }
 
-function withEnd(body, end, mark) {
-  const endsWith = (bytes, last) => last.every((byte, at) => bytes[bytes.length - last.length + at] === byte);
-  let size = mark.length;
-  while (!endsWith(body, mark.slice(0, size))) size--;
-  const rest = mark.slice(size);
-  if (endsWith(end, rest)) return { frame: Uint8Array.from([...body, ...rest]), remarks: [] };
-  if (!end.every((byte, at) => rest[at] === byte)) return { frame: Uint8Array.from([...body, ...end]), remarks: [] };
-  const lacking = rest.slice(end.length).map((byte) => CONTROLS[byte] ?? byte.toString(16).toUpperCase().padStart(2, "0"));
-  const remark = sentence(SENTENCES.END_ASSUMED, { characters: lacking.join(" ") });
-  return { frame: Uint8Array.from([...body, ...rest]), remarks: [remark] };
+function linesSplitEnd(body, end, mark) {
+  const rest = py.next([...py.range(mark.length, -1, -1)].filter((size) => py.endswith(body, py.slice(mark, undefined, size))).map((size) => py.slice(mark, size)));
+  if (py.endswith(end, rest)) {
+    return [py.joined(body, rest), []];
+  }
+  if (!py.equal(py.slice(rest, undefined, end.length), end)) {
+    return [py.joined(body, end), []];
+  }
+  const missing = py.join(" ", [...py.slice(rest, end.length)].map((byte) => (LINES_CONTROLS.get(byte) ?? `${py.hexadecimal(byte, "02X")}`)));
+  return [py.joined(body, rest), [py.format(SENTENCES.END_ASSUMED, { characters: missing })]];
 }
 
-function canFrameOf(text) {
-  const match = CANDUMP.exec(text);
-  if (!match) return null;
-  const { identifier, count, dlc, remote, words } = match.groups;
-  const data = bytesOfHex((match.groups.data ?? match.groups.bytes ?? "").replace(/\s+/g, ""));
-  const isRemote = Boolean(remote ?? words);
-  const size = Number(dlc ?? count ?? data.length);
-  if (!isRemote && size !== data.length) return null;
-  return canBytes({ identifier: parseInt(identifier, 16), data, isExtended: identifier.length > 3, isRemote, dlc: size });
+const LINES_DIRECTIONS = py.dict([...SENTENCES.DIRECTION_WORDS].flatMap(([direction, words]) => [...words].map((word) => [word, direction])));
+
+const LINES_MOST_MARKS = 8;
+
+const LINES_MARK = `(?i)(?<![\\w.])(?P<word>${py.join("|", LINES_DIRECTIONS)})(?![\\w.])(?:\\s*[\\[(][^\\])]{0,40}[\\])])?(?:\\s*[:=](?=\\s|\\w|$))?|(?:^|(?<=[\\s\\]]))(?P<arrow>[-=]{0,2}>{1,3}|<{1,3}[-=]{0,2})(?=[\\s:\\w\\[]|$)(?![0-9A-Fa-f]{2}>)`;
+
+const LINES_COMMENT = "(?s)(?:^|(?<=\\s))(?:#|//).*";
+
+const LINES_CLOCK = "(?:[01]?\\d|2[0-3]):[0-5]\\d:[0-5]\\d(?:[.,]\\d{1,9}|:\\d{3,6})?Z?";
+
+const LINES_DATE = "(?:\\d{4}[-/.]\\d{1,2}[-/.]\\d{1,2}|\\d{1,2}[-/.]\\d{1,2}[-/.]\\d{4})";
+
+const LINES_TIME = `(?:${LINES_DATE}T${LINES_CLOCK}|${LINES_DATE}|${LINES_CLOCK}|[-+]?\\d+\\.\\d+(?:s|ms|us)?)[,;]?(?=\\s)`;
+
+const LINES_NUMBER_OF_LINE = "\\d{4,}[-:](?=[0-9A-Fa-f]{2}\\b)";
+
+const LINES_OFFSET_OF_DUMP = "0000[0-9A-Fa-f]{4}:?\\s+(?=[0-9A-Fa-f]{2}\\b)";
+
+const LINES_ENCLOSED = "\\[[^\\]]{0,80}\\]|\\([^)]{0,80}\\)";
+
+const LINES_LABEL = "[^\\s:]+:";
+
+const LINES_BEFORE = `[\\s,;|=-]+|${LINES_TIME}|${LINES_NUMBER_OF_LINE}|${LINES_OFFSET_OF_DUMP}|(?:${LINES_ENCLOSED}|${LINES_LABEL})(?=\\s)`;
+
+const LINES_CANDUMP = "(?:^|\\s)(?P<identifier>[0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})(?:#(?:(?P<remote>R)(?P<dlc>[0-8])?|(?P<data>(?:[0-9A-Fa-f]{2}){0,8}))(?:\\s+[RT])?|\\s+\\[(?P<count>[0-8])\\](?:(?P<words>\\s+remote request)|(?P<bytes>(?:\\s+[0-9A-Fa-f]{2}){0,8})))\\s*$";
+
+const LINES_MISTYPED = "[0-9][OoIl]|[OoIl][0-9]";
+
+const LINES_BEHIND = `\\s(?:${LINES_ENCLOSED}|\\|.{0,80}\\|)$`;
+
+class LogLine {
+  constructor({ frame, direction = "", remarks = [] }) {
+    this.frame = frame;
+    this.direction = direction;
+    this.remarks = remarks;
+  }
 }
 
 function logLine(text, links) {
-  if (/^(?:[ \t\n\r\f\v]*[0-9a-f]{2})+[ \t\n\r\f\v]*$/i.test(text)) {
-    return { frame: bytesOfHex(text.replace(/\s+/g, "")), direction: "", remarks: [] };
+  let data, frame, remarks;
+  if (py.truth((data = linesHexBytes(text)))) {
+    return new LogLine({ frame: data });
   }
-  const frame = links.some(({ request }) => request.escape?.method === "can") ? canFrameOf(text) : null;
-  if (frame) return { frame, direction: "", remarks: [] };
-  let line = text.endsWith("\n") && !text.endsWith("\r\n") ? text.slice(0, -1) : text;
-  line = line.replace(COMMENT, "");
-  if (!line.trim()) return null;
-  const marks = [];
-  for (const match of line.matchAll(MARK)) {
-    marks.push(match);
-    if (marks.length === MOST_MARKS) break;
+  if ([...links].some((link) => link.isCan) && py.truth((data = linesCanFrame(text)))) {
+    return new LogLine({ frame: data });
   }
-  for (let number = marks.length - 1; number >= 0; number--) {
-    const mark = marks[number];
+  if (py.endswith(text, "\n") && !py.endswith(text, "\r\n")) {
+    text = py.slice(text, undefined, -1);
+  }
+  text = py.re.sub(LINES_COMMENT, "", text);
+  if (!py.strip(text)) {
+    return null;
+  }
+  const marks = py.list(py.islice(py.re.finditer(LINES_MARK, text), LINES_MOST_MARKS));
+  for (const number of py.reversed(py.range(marks.length))) {
     try {
-      const read = frameBehind(line.slice(mark.index + mark[0].length), links);
-      return { ...read, direction: directionOf(line, marks.slice(0, number + 1), links) };
+      [frame, remarks] = linesFrame(py.slice(text, py.item(marks, number).end()), links);
     } catch (error) {
       if (!(error instanceof Unreadable)) throw error;
+      continue;
     }
+    return new LogLine({
+      frame,
+      direction: linesDirection(text, py.slice(marks, undefined, number + 1), links),
+      remarks,
+    });
   }
   try {
-    return unmarked(line, links);
+    let direction;
+    [frame, direction, remarks] = linesUnmarked(text, links);
+    return new LogLine({ frame, direction, remarks });
   } catch (error) {
-    const direction = error instanceof Unreadable && error.isEmpty ? directionOf(line, marks, links) : "";
-    if (!direction) throw error;
-    return { frame: new Uint8Array(), direction, remarks: [] };
+    if (!(error instanceof LinesNoBytes)) throw error;
+    let direction = linesDirection(text, marks, links);
+    if (!direction) {
+      throw error;
+    }
+    return new LogLine({ frame: Uint8Array.of(), direction });
   }
 }
 
-function directionOf(text, marks, links) {
-  const words = marks.map(({ groups }) => groups.word?.toLowerCase()).filter(Boolean);
-  if (words.length) {
-    const word = words.at(-1);
-    const direction = DIRECTION_OF.get(word);
+function linesHexBytes(text) {
+  try {
+    return py.bytesOfHex(text);
+  } catch (error) {
+    if (!(error instanceof RangeError)) throw error;
+    return Uint8Array.of();
+  }
+}
+
+function linesCanFrame(text) {
+  const match = py.re.search(LINES_CANDUMP, text);
+  if (match == null) {
+    return Uint8Array.of();
+  }
+  const data = py.bytesOfHex(py.strip(py.either(py.item(match, "data"), () => py.either(py.item(match, "bytes"), () => ""))));
+  const isRemote = py.truth(py.either(py.item(match, "remote"), () => py.item(match, "words")));
+  const size = py.int(py.either(py.item(match, "dlc"), () => py.either(py.item(match, "count"), () => data.length)));
+  if (!isRemote && !py.equal(size, data.length)) {
+    return Uint8Array.of();
+  }
+  return canFrameBytes(py.int(py.item(match, "identifier"), 16), py.item(match, "identifier").length > 3, isRemote, size, data);
+}
+
+class LinesNoBytes extends Unreadable {
+  get name() {
+    return "NoBytes";
+  }
+}
+
+function linesDirection(text, marks, links) {
+  const words = [...marks].filter((mark) => py.truth(py.item(mark, "word"))).map((mark) => py.item(mark, "word").toLowerCase());
+  if (py.truth(words)) {
+    const direction = py.item(LINES_DIRECTIONS, words.at(-1));
     const other = direction === "request" ? "response" : "request";
-    return links.some((link) => link.directionNames[other] === word) ? "" : direction;
+    return [...links].some((link) => py.equal(link.directionName(other), words.at(-1))) ? "" : direction;
   }
-  const last = marks.at(-1);
-  if (!last || /[A-Za-z]/.test(text.slice(0, last.index).replace(new RegExp(TIME, "g"), ""))) return "";
-  return last.groups.arrow.includes(">") ? "request" : "response";
+  if (!py.truth(marks) || py.truth(py.re.search("[A-Za-z]", py.re.sub(LINES_TIME, "", py.slice(text, undefined, marks.at(-1).start()))))) {
+    return "";
+  }
+  return py.has(py.item(marks.at(-1), "arrow"), ">") ? "request" : "response";
 }
 
-function unmarked(text, links) {
-  const read = frameBehind(text, links);
-  const start = text.trim()[0];
-  const enclosed = text.split(start).length - 1 === read.frame.length;
-  return { ...read, direction: (enclosed && { "[": "request", "<": "response" }[start]) || "" };
+function linesUnmarked(text, links) {
+  const [frame, remarks] = linesFrame(text, links);
+  const start = py.strip(text)[0];
+  const enclosed = py.equal(py.count(text, start), frame.length);
+  return [frame, enclosed ? (py.dict([["[", "request"], ["<", "response"]]).get(start) ?? "") : "", remarks];
 }
 
-function frameBehind(text, links) {
-  let rest = text.replace(/^[ \t]+/, "");
-  while (rest) {
-    const frame = inCharacters(rest, links);
-    if (frame) return frame;
-    if (isEachEnclosed(rest) || unquoted(rest) !== rest) return { frame: bytesOfText(rest), remarks: [] };
-    const before = BEFORE.exec(rest);
-    const word = /^\S+/.exec(rest);
-    if (before) rest = rest.slice(before[0].length);
-    else if (word && MISTYPED.test(word[0])) throw new Unreadable(sentence(SENTENCES.NOT_A_BYTE, { piece: word[0] }));
-    else if (word && !isHexWord(word[0])) rest = rest.slice(word[0].length);
-    else return { frame: bytesOfText(rest.trimEnd().replace(BEHIND, "")), remarks: [] };
+function linesFrame(text, links) {
+  text = py.lstrip(text, " \t");
+  while (text) {
+    const frame = inCharacters(text, links);
+    if (frame != null) {
+      return frame;
+    }
+    if (isEachEnclosed(text) || unquoted(text) !== text) {
+      return [bytesOf(text), []];
+    }
+    const before = py.re.match(LINES_BEFORE, text);
+    const word = py.re.match("\\S+", text);
+    if (before != null) {
+      text = py.slice(text, before.end());
+    } else if (word != null && py.truth(py.re.fullmatch(LINES_MISTYPED, word[0]))) {
+      throw new Unreadable(py.format(SENTENCES.NOT_A_BYTE, { piece: word[0] }));
+    } else if (word != null && !isHexWord(word[0])) {
+      text = py.slice(text, word.end());
+    } else {
+      return [bytesOf(py.re.sub(LINES_BEHIND, "", py.rstrip(text))), []];
+    }
   }
-  throw new Unreadable(SENTENCES.NO_BYTES, true);
+  throw new LinesNoBytes(SENTENCES.NO_BYTES);
+}
+
+
+const OPEN_REQUESTS_MOST_OPEN = 64;
+
+class OpenRequests {
+  constructor(layout, namedRequest, read) {
+    [this.layout, this.asked, this.read] = [layout, namedRequest, read];
+    this.open = [];
+    this.repeated = py.dict([...layout.links.entries()].map(([name, link]) => [name, repeatedParts(link)]));
+  }
+
+  reading(frame) {
+    if (this.asked != null || !py.truth(this.open)) {
+      return [this.read(frame, this.asked), 0];
+    }
+    let nearest = null;
+    for (const [openRequest, line] of py.reversed(this.open)) {
+      const own = [this.read(frame, openRequest), line];
+      if (own[0].chosen === "request") {
+        return own;
+      }
+      if (nearest == null || (py.truth(own[0].mismatches) && !py.truth(nearest[0].mismatches))) {
+        nearest = own;
+      }
+    }
+    return nearest;
+  }
+
+  remember(reading, line) {
+    if (this.asked == null) {
+      this._close(reading.explanation);
+      const request = this._request(reading);
+      this.open = request != null ? [...py.slice(this.open, 1 - OPEN_REQUESTS_MOST_OPEN), [request, line]] : this.open;
+    }
+  }
+
+  _close(frame) {
+    const message = this.layout.messages.get(frame.message);
+    if (message != null && !message.message.isRequested) {
+      return;
+    }
+    const own = this._numbers(frame);
+    this.open = [...this.open].filter((other) => !py.has(own, null) && py.equal(other[0].request.link, frame.link) && !py.equal(this._numbers(other[0].request), own));
+  }
+
+  _numbers(frame) {
+    const pairs = py.item(this.repeated, frame.link);
+    return [...pairs].map(([requestPart, answer]) => frame.values.get((frame.direction === "request" ? requestPart : answer).name));
+  }
+
+  _request(reading) {
+    const request = reading.explanation;
+    const isUnknown = request.reasons.length === 1 && request.reasons[0] === "unknown_code";
+    if (request.direction !== "request" || (reading.wrong && !isUnknown)) {
+      return null;
+    }
+    const link = py.item(this.layout.links, request.link);
+    if (py.has(link.messages, request.message) && !py.has(link.carried("response"), request.message)) {
+      return null;
+    }
+    if (reading.chosen === "likeliest" && link.response.role("code") == null && link.request.role("code") == null) {
+      return null;
+    }
+    const [unitAddress, addresses] = [link.request.role("unit_address"), link.link.unitAddresses];
+    if (py.truth(unitAddress) && py.truth(addresses) && py.equal(request.values.get(unitAddress.name), addresses.broadcast)) {
+      return null;
+    }
+    return new OpenRequest({ request, sure: false });
+  }
 }
 
 const LONGEST_LINE = 8192;
@@ -3567,12 +4920,11 @@ function linesOf(text) {
   return text.match(/[^\n]*\n|[^\n]+$/g) ?? [];
 }
 
-const MOST_OPEN = 64;
-
 class LogReader {
-  constructor(device, options = new FrameOptions(), asked = null) {
-    Object.assign(this, { device, options, asked, open: [], mark: "", number: 0 });
-    this.links = [...device.links.values()];
+  constructor(device, options = new FrameOptions({}), asked = null) {
+    Object.assign(this, { device, options, asked, mark: "", number: 0 });
+    this.links = device.links.values();
+    this.requests = new OpenRequests(device, asked, (frame, request) => readFrame(device, frame, options, this.mark, request));
   }
 
   read(text) {
@@ -3582,55 +4934,13 @@ class LogReader {
     if (!line) return null;
     this.mark = line.direction || this.mark;
     if (!line.frame.length) return null;
-    const { reading, asked } = this.readingOf(line.frame);
-    const remarks = [...line.remarks, ...remarksOn(this.device, reading, asked?.line ?? 0, this.options)];
+    const [reading, askedIn] = this.requests.reading(line.frame);
+    const remarks = [...line.remarks, ...remarksOn(this.device, reading, askedIn, this.options)];
+    const open = this.requests.open.find(([, own]) => own === askedIn)?.[0];
+    const request = this.asked?.request ?? (reading.chosen === "request" ? open.request : null);
     this.mark = "";
-    if (!this.asked) {
-      this.close(reading.explanation);
-      const request = this.requestOf(reading);
-      if (request) this.open = [...this.open.slice(1 - MOST_OPEN), { request, sure: false, line: this.number }];
-    }
-    const request = asked && (reading.chosen === "request" || asked.sure) ? asked.request : null;
-    return { ...reading, line: this.number, remarks, request, wrong: isWrong(reading) };
-  }
-
-  readingOf(frame) {
-    const readAs = (asked) => ({ reading: readFrame(this.device, frame, this.options, this.mark, asked), asked });
-    if (this.asked || !this.open.length) return readAs(this.asked);
-    let nearest = null;
-    for (const asked of this.open.toReversed()) {
-      const own = readAs(asked);
-      if (own.reading.chosen === "request") return own;
-      if (!nearest || (own.reading.mismatches.length && !nearest.reading.mismatches.length)) nearest = own;
-    }
-    return nearest;
-  }
-
-  close(frame) {
-    if (this.device.messages.get(frame.message)?.unrequested) return; // the device sends it of its own accord
-    const own = this.numbersOf(frame);
-    const differs = (numbers) => numbers.some((number, at) => number !== own[at]);
-    this.open = this.open.filter(
-      ({ request }) => !own.includes(undefined) && request.link === frame.link && differs(this.numbersOf(request)),
-    );
-  }
-
-  numbersOf({ link, direction, values }) {
-    return this.device.links.get(link).repeated.map(([asked, answer]) => values.get(direction === "request" ? asked : answer));
-  }
-
-  requestOf(reading) {
-    const request = reading.explanation;
-    const faults = reasonsOf(request);
-    const isUnknown = faults.length === 1 && faults[0] === "unknown_code";
-    if (request.direction !== "request" || (isWrong(reading) && !isUnknown)) return null;
-    const link = this.device.links.get(request.link);
-    if (link.carriedMessages.request.has(request.message) && !link.carriedMessages.response.has(request.message)) return null;
-    if (reading.chosen === "likeliest" && !link.response.code && !link.request.code) return null;
-    const { unitAddress } = link.request;
-    const { broadcast } = link.addresses ?? {};
-    if (unitAddress && broadcast !== undefined && request.values.get(unitAddress.name) == broadcast) return null;
-    return request;
+    this.requests.remember(reading, this.number);
+    return { explanation: reading.explanation, readings: reading.readings, chosen: reading.chosen, remarks, request, wrong: reading.wrong };
   }
 }
 
@@ -3873,14 +5183,14 @@ function inRange(name, value, number) {
 }
 
 function formOfValues(record, values) {
-  if (record.selector === undefined) return record;
-  const number = values.get(record.selector);
+  if (!record.selector) return record;
+  const number = values.get(record.selector.name);
   return isWhole(number ?? "") ? record.forms.get(BigInt(number)) : undefined;
 }
 
 function encodeRecord(device, record, values) {
   const form = formOfValues(record, values);
-  if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
+  if (!form) throw new CodecError("unknown_value", `${record.selector.name} is ${values.get(record.selector.name)}, which chooses nothing that may follow`);
   const known = new Map();
   const sent = new Map();
   const fields = form.fields.map((field) => decidedField(form, field, values));
@@ -3894,7 +5204,7 @@ function encodeRecord(device, record, values) {
       return list && list !== form.inner.lists.at(-1) ? padded(own, list.most) : own;
     }
     const [of, name, plus = 0] = field.measures;
-    const other = form.named.get(name);
+    const other = form.named(name);
     const items = other.isList ? known.get(name).length : 1;
     const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
@@ -3912,11 +5222,11 @@ function encodeRecord(device, record, values) {
     const last = form.fields.at(-1);
     return sentOfImage(form.inner, bytes, known.get(last.name).length * last.size);
   }
-  return form.spans ? narrowedImage(form.spans, bytes) : bytes;
+  return form.spans?.length ? narrowedImage(form.spans, bytes) : bytes;
 }
 
 function decidedField(record, field, values) {
-  const number = field.forms && elementsOf(record.named.get(field.by), values)[0];
+  const number = field.forms && elementsOf(record.named(field.by), values)[0];
   const decided = number === undefined || isWhole(number) ? formOfField(record, field, values) : undefined;
   if (!decided) throw new CodecError("unknown_value", `${field.by} is ${number}, which chooses nothing that may follow`);
   return decided;
@@ -3972,7 +5282,7 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
       if (units === undefined) throw new CodecError("wrong_length", `${length.name} cannot say that the frame has ${total} bytes`);
       numbers.set(length.name, units);
     }
-    for (const check of shape.checks.filter(isOwn)) numbers.set(check.name, checksumOf(check, bytes()));
+    for (const check of shape.checksums.filter(isOwn)) numbers.set(check.name, checksumOf(check, bytes()));
   }
   const inner = sent();
   const encoded = link.transmission === "hex_ascii" ? charactersOf(inner) : inner;
@@ -4008,7 +5318,7 @@ function partBytes(part, number) {
 function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
-  const code = codeIn(direction, message);
+  const code = message.codeOf(direction);
   if (part.role === "code") return error ? link.exception.code ?? onBits(code, link.exception.flag, (bits, mask) => bits | mask) : code;
   const number = values.get(part.name);
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);
@@ -4022,7 +5332,7 @@ function partNumber(link, direction, part, values, message, error) {
 }
 
 function frameOptions(device, { link, direction, message } = {}) {
-  if (!link && !direction && !message) return new FrameOptions();
+  if (!link && !direction && !message) return new FrameOptions({});
   let links = [...device.links.values()];
   if (link) links = links.filter(({ name }) => name === link);
   if (!links.length) throw new RangeError(`${link} is not a link of ${device.data.device}: ${[...device.links.keys()].join(", ")}`);
@@ -4035,7 +5345,7 @@ function frameOptions(device, { link, direction, message } = {}) {
     .filter((way) => !direction || directionNames[way] === direction || (way === direction && !isName(directionNames, direction)))
     .map((way) => [name, way]));
   if (!places.length) throw new RangeError(`${direction} is not a direction of ${links.map(({ name }) => name).join(" or ")}`);
-  return new FrameOptions(places, message ?? "");
+  return new FrameOptions({ places, message: message ?? "" });
 }
 
 function isName(directionNames, direction) {
@@ -4044,7 +5354,7 @@ function isName(directionNames, direction) {
 
 function inputFrame(device, input) {
   if (input instanceof Uint8Array) return { frame: input, direction: "", remarks: [] };
-  const line = logLine(String(input), [...device.links.values()]);
+  const line = logLine(String(input), device.links.values());
   if (!line?.frame.length) throw new Unreadable(SENTENCES.NO_BYTES);
   return line;
 }
@@ -4052,9 +5362,9 @@ function inputFrame(device, input) {
 function namedRequest(device, input, options) {
   if (!input) return null;
   const places = [...device.links.keys()].map((link) => [link, "request"]).filter(([link]) => options.goes(link, "response"));
-  const request = readFrame(device, inputFrame(device, input).frame, new FrameOptions(places, options.message));
-  const faults = reasonsOf(request.explanation);
-  if (isWrong(request) && (faults.length !== 1 || faults[0] !== "unknown_code")) {
+  const request = readFrame(device, inputFrame(device, input).frame, new FrameOptions({ places, message: options.message }));
+  const faults = request.explanation.reasons;
+  if (request.wrong && (faults.length !== 1 || faults[0] !== "unknown_code")) {
     throw new RangeError(`request is not a valid request of ${device.data.device}: ${faults.join(", ")}`);
   }
   return { request: request.explanation, sure: true };
@@ -4069,7 +5379,7 @@ function explainer(data) {
     const line = inputFrame(device, input);
     const reading = readFrame(device, line.frame, allowed, line.direction, asked);
     const remarks = [...line.remarks, ...remarksOn(device, reading, 0, allowed)];
-    return explanationData(device, reading.explanation, reading.readings, reading.chosen, remarks, isWrong(reading));
+    return explanationData(device, reading.explanation, reading.readings, reading.chosen, remarks, reading.wrong);
   }
 
   function* explainLog(text, options = {}) {
@@ -4190,7 +5500,7 @@ class FrameTable {
     byId("remarks").replaceChildren(...reading.remarks.map((text) => element("li", { textContent: text })));
     byId("remarks").className = reading.wrong ? "wrong" : "";
     this.showBytes(explanation);
-    this.showTable(byId("rows"), "The frame, field by field", COLUMNS, explanation.rows, placeOf, this.rawForms(explanation));
+    this.showTable(byId("rows"), "The frame, field by field", COLUMNS, explanation.rows, (row) => row.at, this.rawForms(explanation));
     const registers = byId("registers");
     registers.hidden = !explanation.registers.length;
     if (explanation.registers.length) {
@@ -4237,19 +5547,20 @@ class FrameTable {
 
   rawForms({ link, direction, message, error, rows }) {
     const { device } = this.lab;
-    const { code, checks } = device.links.get(link)[direction];
+    const { [direction]: frame } = device.links.get(link);
+    const code = frame.role("code");
     const { access, [direction]: record } = device.messages.get(message) ?? {};
     const fields = error ? [] : record?.fields ?? [];
     const isHexadecimal = ({ name, value }) => {
       if (!value || CHARACTER_DIGITS.has(value.digits)) return false;
       if (value.flags || name === access?.start) return true;
       const row = rows.find(({ path }) => path === name);
-      if (value.parameter?.[1] !== "number" || !isWhole(row?.number ?? "")) return false;
-      const found = parameterAt(device, value.parameter[0], row.number);
-      return !found || Boolean(found.words.digits || found.words.base);
+      if (value.parameter?.part !== "number" || !isWhole(row?.number ?? "")) return false;
+      const [own] = device.parameterAt(value.parameter.set, row.number) ?? [];
+      return !own || Boolean(own.digits || own.base);
     };
     return {
-      hidden: checks.map(({ name }) => name),
+      hidden: frame.checksums.map(({ name }) => name),
       hexadecimal: [code?.name, ...fields.filter(isHexadecimal).map(({ name }) => name)],
     };
   }
@@ -4269,7 +5580,7 @@ class FrameTable {
     const name = row.path || (row.kind === "unexplained" && !row.doc ? "surplus" : "");
     const labels = [row.printedName && element("code", { textContent: row.printedName }), " ", labelText(device, row.label)];
     const meanings = row.meanings.map((meaning) => element("li", {}, ...this.meaning(meaning)));
-    const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(sentText(row))} ` : "";
+    const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(row.sent)} ` : "";
     const cells = [
       element("td", { className: "number" }, element("code", { textContent: first })),
       element("td", { className: "bytes" }, sent && element("span", { className: "quiet", textContent: sent }), element("code", { textContent: hexOf(row.raw, " ") })),
@@ -4695,8 +6006,8 @@ class MessageForm {
   allLeaves() {
     const record = this.record();
     let form = record;
-    if (record.selector !== undefined) {
-      const by = record.named.get(record.selector);
+    if (record.selector) {
+      const by = record.selector;
       form = record;
       try {
         form = formOfValues(record, new Map([[by.name, this.rawValue({ path: by.name, field: by })]])) ?? record;
@@ -4798,7 +6109,7 @@ class MessageForm {
       input.value = this.entries.get(path);
     } else {
       this.entries.set(path, target.value);
-      if (this.record().selector === path || this.deciding.has(path)) this.draw();
+      if (this.record().selector?.name === path || this.deciding.has(path)) this.draw();
     }
     this.build();
   }
@@ -5140,7 +6451,7 @@ class DevicePanel {
 
   request() {
     const { current } = this.lab;
-    if (!current || this.lab.isEntryRefused || current.explanation.direction !== "request" || reasonsOf(current.explanation).length) return null;
+    if (!current || this.lab.isEntryRefused || current.explanation.direction !== "request" || current.explanation.reasons.length) return null;
     return current.explanation;
   }
 
@@ -5222,11 +6533,11 @@ class DevicePanel {
     const patience = Math.min(60000, Math.max(50, Number(byId("patience").value) || 1000));
     const isAnswered = this.isAnswered(request);
     const asked = { request, sure: true };
-    const readAnswer = (data) => readFrame(device, data, new FrameOptions(), "response", asked);
+    const readAnswer = (data) => readFrame(device, data, new FrameOptions({}), "response", asked);
     this.fault("");
     this.say("Waiting for the answer …");
     this.note("TX", request.frame);
-    const asking = exchange.ask(request.frame, (data) => !reasonsOf(readAnswer(data).explanation).length, isAnswered ? patience : QUIET);
+    const asking = exchange.ask(request.frame, (data) => !readAnswer(data).explanation.reasons.length, isAnswered ? patience : QUIET);
     this.update();
     const { data, milliseconds, lost } = await asking;
     if (data.length) this.note("RX", data);
@@ -5242,9 +6553,9 @@ class DevicePanel {
 
   show(reading, data, patience) {
     const { explanation } = reading;
-    const remarks = remarksOn(this.lab.device, reading, 0, new FrameOptions());
-    this.lab.table.show({ explanation, remarks, wrong: isWrong(reading) });
-    if (reasonsOf(explanation).length) return `No valid answer within ${patience} ms, but ${data.length} bytes: ${reasonsOf(explanation).join(", ")}.`;
+    const remarks = [...remarksOn(this.lab.device, reading, 0, new FrameOptions({}))];
+    this.lab.table.show({ explanation, remarks, wrong: reading.wrong });
+    if (explanation.reasons.length) return `No valid answer within ${patience} ms, but ${data.length} bytes: ${explanation.reasons.join(", ")}.`;
     if (reading.mismatches.length) return "The answer does not fit the request.";
     return explanation.error ? "The device refuses the request." : "";
   }
@@ -5347,7 +6658,7 @@ class Lab {
     byId("known-link").replaceChildren(option("", "any"), ...[...links.keys()].map((name) => option(name, name)));
     const directions = new Map([...links.values()].flatMap(({ directionNames }) => Object.values(directionNames).map((name) => [name, name])));
     byId("known-direction").replaceChildren(option("", "any"), ...[...directions.keys()].map((name) => option(name, name)));
-    const messages = new Set([...links.values()].flatMap(({ carried }) => [...carried.request, ...carried.response]));
+    const messages = new Set([...links.values()].flatMap(({ carriedMessages }) => Object.values(carriedMessages).flatMap((named) => named.keys())));
     byId("known-message").replaceChildren(option("", "any"), ...[...messages].map((name) => option(name, name)));
     const words = new Set([...links.values()].map(({ messageName }) => messageName));
     byId("known-message-label").textContent = titled(words.size === 1 ? [...words][0] : "message");
@@ -5404,7 +6715,7 @@ class Lab {
     const { request } = entry;
     const asked = request && explained(this.device, request.link, "request", request.frame, request.message);
     const [link, direction, message, error] = entry.reading;
-    const explanation = explained(this.device, link, direction, entry.frame, error ? "" : message, asked);
+    const explanation = explainedAfter(this.device, link, direction, entry.frame, error ? "" : message, asked);
     this.current = { frame: entry.frame, explanation, request: asked };
     this.isEntryRefused = false;
     this.table.show({ explanation, remarks: entry.remarks, wrong: entry.wrong });
@@ -5415,18 +6726,18 @@ class Lab {
 
   edited(frame, { link, direction, message, error }) {
     const own = this.device.links.get(link);
-    const isCoded = Boolean(own[direction].code);
+    const isCoded = Boolean(own[direction].role("code"));
     const known = { link, direction: own.directionNames[direction], message: isCoded || error ? "" : message };
     const options = frameOptions(this.device, known);
     const answers = this.current?.request;
     const asked = direction === "response" && answers?.link === link && answers.message === message ? answers : null;
     const reading = readFrame(this.device, frame, options, "", asked && { request: asked, sure: true });
-    const remarks = remarksOn(this.device, reading, 0, options);
+    const remarks = [...remarksOn(this.device, reading, 0, options)];
     this.current = { frame, explanation: reading.explanation, request: asked };
     this.isEntryRefused = false;
     byId("built").textContent = this.frameText();
     byId("input-fault").textContent = "";
-    this.table.show({ explanation: reading.explanation, remarks, wrong: isWrong(reading) });
+    this.table.show({ explanation: reading.explanation, remarks, wrong: reading.wrong });
     this.panel.update();
     if (this.list.entries.length > 1) return;
     byId("frames").value = this.frameText();
@@ -5451,7 +6762,7 @@ class Lab {
     const example = this.device.data.examples.find(({ id }) => id === byId("example").value);
     if (!example) return;
     const asks = this.device.data.examples.find(({ id }) => id === example.replyTo);
-    const isCoded = this.device.links.get(example.link)[example.direction].code;
+    const isCoded = this.device.links.get(example.link)[example.direction].role("code");
     byId("known-link").value = example.link;
     byId("known-direction").value = this.device.links.get(example.link).directionNames[example.direction];
     byId("known-message").value = isCoded ? "" : example.message ?? "";

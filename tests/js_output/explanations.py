@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from external_tools import require_tool
-from fieldspec.codec.explain.log import LogLine
-from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read, remarks
+from fieldspec.codec.explain.lines import LogLine
+from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read_frame, remarks_on
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.rendering.explanation_text import as_data
 
@@ -63,14 +63,14 @@ def explained_by_python(layout: DeviceLayout, job: Mapping[str, Any]) -> dict[st
     asked = None
     if job["request"]:
         asks = tuple((link, "request") for link in layout.links if options.goes(link, "response"))
-        request = read(layout, bytes.fromhex(job["request"]), FrameOptions(asks, options.message))
+        request = read_frame(layout, bytes.fromhex(job["request"]), FrameOptions(asks, options.message))
         if request.wrong and request.explanation.reasons != ("unknown_code",):
             reasons = ", ".join(request.explanation.reasons)
             return {"error": f"request is not a valid request of {layout.device.id}: {reasons}"}
         asked = OpenRequest(request.explanation, True)
     line = LogLine(bytes.fromhex(job["frame"]))
-    reading = read(layout, line.frame, options, line.direction, asked)
-    notes = [*line.remarks, *remarks(layout, reading, 0, options)]
+    reading = read_frame(layout, line.frame, options, line.direction, asked)
+    notes = [*line.remarks, *remarks_on(layout, reading, 0, options)]
     data = as_data(layout, reading.explanation, reading.readings, reading.chosen, notes, reading.wrong)
     result: dict[str, Any] = portable(data)
     return result

@@ -20,6 +20,7 @@ from fieldspec.command.frames.frame_hints import FrameHints, HintedReading, Read
 from fieldspec.command.rendering.explanation_text import as_data
 from fieldspec.command.verbs.decode import FramePrinter, Log
 from fieldspec.language.model.texts import Example
+from fieldspec.targets.explainer import RUNTIME, module_text
 from js_output.explanations import explained_by_node, explained_by_python, portable
 from js_output.javascript import module_path
 from js_output.test_javascript_frames import frames_of
@@ -211,8 +212,7 @@ def test_options_that_a_device_does_not_have_are_refused(options: dict[str, str]
 def test_both_explainers_use_every_sentence() -> None:
     names = {name for name in vars(sentences) if name.isupper()}
     used_within = {".py": {"SINGLE_BYTE", "BYTES", "BYTE_MISSING", "BYTES_MISSING"}, ".js": set()}
-    packages = {".py": ("codec/explain", "command/verbs"), ".js": ("targets/explainer/runtime",)}
-    for suffix, folders in packages.items():
-        files = (file for folder in folders for file in (PACKAGE / folder).rglob(f"*{suffix}"))
-        texts = "".join(file.read_text("utf-8") for file in files)
+    modules = [file for folder in ("codec/explain", "command/verbs") for file in (PACKAGE / folder).rglob("*.py")]
+    all_texts = {".py": "".join(file.read_text("utf-8") for file in modules), ".js": "".join(map(module_text, RUNTIME))}
+    for suffix, texts in all_texts.items():
         assert set(re.findall(r"(?:sentences|SENTENCES)\.([A-Z_]+)\b", texts)) | used_within[suffix] == names

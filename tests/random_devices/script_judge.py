@@ -9,7 +9,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from fieldspec.codec.explain.registers import Occupant, occupants
+from fieldspec.codec.explain.occupants import Occupant, occupants
 from fieldspec.codec.explain.spans import Span
 from fieldspec.codec.layout.device import DeviceLayout, MessageLayout
 from fieldspec.codec.layout.frame import LinkLayout

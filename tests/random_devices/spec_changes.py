@@ -7,7 +7,7 @@ import random
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from fieldspec.codec.explain.readings import FrameOptions, read
+from fieldspec.codec.explain.readings import FrameOptions, read_frame
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.reading.project import read as read_project
@@ -98,7 +98,7 @@ def examples_are_proven(spec: Spec, layouts: list[DeviceLayout], queries: list[Q
             return
         for example in result[-1].device.examples.values():
             same = [other for other in result[-1].device.examples.values() if other.frame == example.frame]
-            explanation = read(result[-1], example.frame, FrameOptions()).explanation
+            explanation = read_frame(result[-1], example.frame, FrameOptions()).explanation
             reading = explanation.link, explanation.direction, explanation.message, explanation.error
             if reading not in [(e.link, e.direction, e.message, e.exception_response) for e in same]:
                 yield f"examples: {example.frame.hex(' ')} is explained as {reading}, not as {example.id}"

@@ -6,7 +6,7 @@ import random
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from fieldspec.codec.explain.registers import Occupant, occupants
+from fieldspec.codec.explain.occupants import Occupant, occupants
 from fieldspec.codec.explain.spans import Span
 from fieldspec.codec.explain.values import number_of
 from fieldspec.codec.layout.bases import at_usual_bases

@@ -316,7 +316,7 @@ export function readAround(inner, read, bytes, offset, end) {
   }
 }
 
-/** The bytes of a text without the zeros after it. */
+/** How many bytes a text has without the zeros after it. */
 function sizeWithoutZeros(image) {
   let size = image.length;
   while (size > 0 && image[size - 1] === 0) size--;

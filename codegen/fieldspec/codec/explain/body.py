@@ -1,74 +1,25 @@
-"""The body of a frame, field by field, and quantities as percentages of their references."""
+"""The body of a frame, field by field."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from decimal import Context, Decimal
 
 from fieldspec.codec.explain import sentences
+from fieldspec.codec.explain.errata import errata_at
 from fieldspec.codec.explain.parameters import with_parameter
-from fieldspec.codec.explain.registers import exponent_applied
-from fieldspec.codec.explain.row import ExplanationRow, Spot, errata_at, fact_row, surplus_row, wrong_row
-from fieldspec.codec.explain.values import ACCEPTED, DecodedValue, Meaning, decimal_text, decoded_row, in_unit
+from fieldspec.codec.explain.percentages import with_percentages
+from fieldspec.codec.explain.row import ExplanationRow, Spot, fact_row, surplus_row, wrong_row
+from fieldspec.codec.explain.values import ACCEPTED, DecodedValue, decoded_row, exponent_applied, repeated_value
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.inner_lists import InnerList, ListExtent
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.values import Raw
 from fieldspec.codec.layout.widths import extents
 from fieldspec.codec.program.interpreter import Place, Row, run_each
 from fieldspec.codec.program.lowering import field_program
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.record import Message
-from fieldspec.language.model.value import Conversion, Value
-
-_EXACT = Context(prec=200)
-
-
-def with_percentages(device: Device, row: ExplanationRow, field: FieldLayout, number: Raw) -> ExplanationRow:
-    """The row of a field that carries a signal, with the percentages that its conversions give."""
-    if not field.field.signal or not isinstance(number, int):
-        return row
-    meanings = tuple(
-        Meaning(conversion.name, conversion.label, percentage_text(device, conversion, number), "")
-        for conversion in device.conversions.values()
-        if field.field.signal in conversion.signals
-    )
-    return replace(row, meanings=(*row.meanings, *meanings)) if meanings else row
-
-
-def percentage_text(device: Device, conversion: Conversion, number: int) -> str:
-    """The percentage that a count stands for: `50 % of Pt317 (3000 rpm by default) or Pt386`."""
-    from fractions import Fraction
-
-    percent = conversion.quantity(number, Fraction(100))
-    exact = _EXACT.divide(Decimal(percent.numerator), Decimal(percent.denominator))
-    text = decimal_text(exact, Fraction(100, conversion.full_scale))
-    return sentences.PERCENTAGE.format(percent=text, references=references_text(device, conversion))
-
-
-def references_text(device: Device, conversion: Conversion) -> str:
-    """The printed names of a conversion's references with their defaults: `Pt317 (3000 rpm by default) or Pt386`."""
-    return " or ".join(_reference(device, path) for path in conversion.references) or "its reference"
-
-
-def _reference(device: Device, path: str) -> str:
-    fact, value = next(((fact, value) for fact, value in _values(device) if fact.place.path == path), (None, None))
-    if fact is None or value is None:
-        return path.rpartition("/")[2]
-    default = in_unit(value, value.default) if value.default and isinstance(value.default, int) else ""
-    return f"{fact.printed_name or fact.name} ({default} by default)" if default else fact.printed_name or fact.name
-
-
-def _values(device: Device) -> Iterator[tuple[Fact, Value]]:
-    """The facts that a conversion can refer to, with their values."""
-    for words in device.parameters.values():
-        yield from ((parameter, parameter.value) for parameter in words.parameters)
-    yield from ((register, register.value) for register in device.registers())
-    yield from ((signal, signal.value) for signal in device.signals.values())
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,30 +63,28 @@ class Body:
     def _explained(self, traced: list[_TracedField | ExplanationRow]) -> Iterator[ExplanationRow]:
         known = dict(self.asked)
         for part in traced:
-            match part:
-                case ExplanationRow():
-                    yield part
-                case _TracedField():
-                    for row in part.rows:
-                        yield self._row(row, known)
-                    if part.name in self.values:
-                        known[part.name] = self.values[part.name]
-                case _:
-                    assert_never(part)
+            if isinstance(part, ExplanationRow):
+                yield part
+                continue
+            for row in part.rows:
+                yield self._row(row, known)
+            if part.name in self.values:
+                known[part.name] = self.values[part.name]
 
     def _traced(self) -> Iterator[_TracedField | ExplanationRow]:
         """The parts of a record in the order of the wire."""
         inner, fields = self.record.inner_lists, self.record.sent_fields
-        offset, known = self.start, iter(self.extents)
+        offset, list_number = self.start, 0
         for number, field in enumerate(fields):
             if field.splits_record:
                 yield self._undecided(field, offset)
                 return
             if inner is not None and field.varies:
-                extent = next(known, None)
-                if extent is None:
-                    yield self._unknown_list(fields[number:], inner.lists[len(self.extents)], offset)
+                if list_number == len(self.extents):
+                    yield self._unknown_list(fields[number:], inner.lists[list_number], offset)
                     return
+                extent = self.extents[list_number]
+                list_number += 1
                 yield from self._list(field, extent, offset)
                 offset += extent.size
                 continue
@@ -158,11 +107,11 @@ class Body:
         yield self._field(form, offset, sizes)
         end = stop if field.packing is not None else offset + sum(sizes)
         if field.field.repeat is not None and count < field.field.repeat.low:
-            yield self._missing((field,), end, stop)
+            yield self._missing([field], end, stop)
         elif end < stop:
             yield surplus_row(self.spot, end, self.data[end:stop])
 
-    def _unknown_list(self, fields: tuple[FieldLayout, ...], inner: InnerList, offset: int) -> ExplanationRow:
+    def _unknown_list(self, fields: Sequence[FieldLayout], inner: InnerList, offset: int) -> ExplanationRow:
         """The row from the first list on whose bytes are not known."""
         assert self.fault is not None
         name, reason = fields[0].name, self.fault.reason
@@ -192,11 +141,8 @@ class Body:
     def _has_wrong_count(self, inner: InnerList) -> bool:
         """Whether the first list whose bytes are not known has an impossible count."""
         place = self.record.inner_lists.place_in_data(self.extents, inner.count_at) if self.record.inner_lists else 0
-        return (
-            bool(inner.count)
-            and self.fault is not None
-            and (self.fault.reason, self.fault.at) == ("wrong_measure", place)
-        )
+        fault = self.fault
+        return bool(inner.count) and fault is not None and fault.reason == "wrong_measure" and fault.at == place
 
     def _items(self, field: FieldLayout) -> int:
         """How many elements of a list of a record with fields after a list there are."""
@@ -234,8 +180,8 @@ class Body:
             return "incomplete", sentences.WITHOUT_END.format(name=span.name)
         count = self.values[self.record.spans[span.count].name]
         if isinstance(count, int) and 0 <= count - span.plus <= span.value.width:
-            sizes = {"count": count - span.plus, "rest": self.end - offset}
-            return "incomplete", sentences.FEWER_FOLLOW.format(name=span.name, **sizes)
+            rest = self.end - offset
+            return "incomplete", sentences.FEWER_FOLLOW.format(name=span.name, count=count - span.plus, rest=rest)
         text = sentences.WRONG_SIZE.format(count=self.record.spans[span.count].name, name=span.name)
         return "wrong_measure", text
 
@@ -247,11 +193,11 @@ class Body:
         room = (self.end - self.start - field.offset) // field.size
         return min(max(room, repeat.low), repeat.high)
 
-    def _missing(self, fields: tuple[FieldLayout, ...], offset: int, stop: int | None = None) -> ExplanationRow:
+    def _missing(self, fields: Sequence[FieldLayout], offset: int, stop: int | None = None) -> ExplanationRow:
         """The row of the place where the body, or the bytes up to `stop`, are not enough for fields."""
         missing = self.record.least - (self.end - self.start)
         later = ", ".join(other.name for other in fields)
-        return self._wrong(fields[0], offset, "incomplete", sentences.missing(missing, later), stop)
+        return self._wrong(fields[0], offset, "incomplete", sentences.missing_text(missing, later), stop)
 
     def _undecided(self, field: FieldLayout, offset: int) -> ExplanationRow:
         """The row of a field whose type is open, because the field that decides it has a value without a case."""
@@ -261,8 +207,12 @@ class Body:
             return self._missing(self.record.fields[-1:], offset)
         if self.record.most is None or size <= self.record.most:
             return self._wrong(field, offset, "unknown_value", self._undecided_text(selector.name, field.name))
-        names = {"selector": selector.name, "number": repr(self.values[selector.name]), "name": field.name}
-        text = sentences.UNDECIDED_TOO_LONG.format(**names, count=size - self.record.most)
+        text = sentences.UNDECIDED_TOO_LONG.format(
+            selector=selector.name,
+            number=repr(self.values[selector.name]),
+            name=field.name,
+            count=size - self.record.most,
+        )
         return self._wrong(field, offset, "wrong_length", text)
 
     def _undecided_text(self, selector: str, name: str) -> str:
@@ -324,11 +274,13 @@ class Body:
             if number >= len(self.extents):
                 return self._wrong_count(inner.lists[number], field, read)
             size = self.extents[number].size if field.counts_sent else self._items(other) * other.size
-            low = high = size + measure.plus if measure.of == "bytes" else measure.number(self._items(other), 1)
+            low = size + measure.plus if measure.of == "bytes" else measure.number(self._items(other), 1)
+            high = low
         else:
             items = self._items_at_end(other) if other.is_list else 1
             items = (other.count or 0) if self.record.spans else items
-            low = high = measure.number(items, other.size)
+            low = measure.number(items, other.size)
+            high = low
         is_right = isinstance(read.number, int) and low <= read.number <= high
         expected = low if low == high else sentences.BOUNDS.format(low=low, high=high)
         return read.judged(is_right, expected, "wrong_measure")
@@ -367,7 +319,7 @@ class Body:
         """The value of a field, which is wrong if the bytes of the list are not known because of its number."""
         if inner.count != field.name or not self._has_wrong_count(inner):
             return read
-        low, high = (size // inner.unit + inner.plus for size in (inner.least, inner.most))
+        low, high = inner.least // inner.unit + inner.plus, inner.most // inner.unit + inner.plus
         expected = sentences.BOUNDS.format(low=low, high=high)
         if inner.sent_plus is not None:
             expected = sentences.SIZE_OF_LIST.format(name=inner.name)
@@ -379,4 +331,4 @@ class Body:
         expected = self.asked.get(field.field.same_as)
         if read.reason or expected is None:
             return read
-        return read.judged(read.number == expected, spec_text(expected), "")
+        return repeated_value(read, expected, field.value)

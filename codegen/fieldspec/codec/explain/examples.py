@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections import deque
 
-from fieldspec.codec.explain.explanation import Explanation, explained, explained_after
+from fieldspec.codec.explain.explanation import Explanation, explained
+from fieldspec.codec.explain.frame_rows import explained_after
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.observation import is_same_layout, observed_layout
 from fieldspec.foundation.caches import ByIdentity

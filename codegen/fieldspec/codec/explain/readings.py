@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.examples import examples_of_bytes
 from fieldspec.codec.explain.explanation import Explanation, explained
 from fieldspec.codec.explain.frame_sizes import bounds_text, size_text
+from fieldspec.codec.explain.option_names import option_text
 from fieldspec.codec.explain.recognition import Reading, closest, lengths, recognised
 from fieldspec.codec.explain.values import fault_of
 from fieldspec.codec.layout.bits import packed_size
@@ -41,11 +42,6 @@ class FrameOptions:
         return frozenset(direction for _, direction in self.places) if self.places else frozenset(DIRECTIONS)
 
 
-def option_word(name: str) -> str:
-    """A name of the device as the name of an option."""
-    return name.replace("_", "-")
-
-
 @dataclass(frozen=True, slots=True)
 class OpenRequest:
     """The request that the next response answers. `sure` if the user has named it."""
@@ -77,11 +73,11 @@ class ChosenReading:
     @property
     def alternatives(self) -> tuple[Reading, ...]:
         """The other readings that fit."""
-        own = _reading(self.explanation)
+        own = reading_of(self.explanation)
         return tuple(reading for reading in self.readings if reading != own)
 
 
-def read(
+def read_frame(
     layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: str = "", open_request: OpenRequest | None = None
 ) -> ChosenReading:
     """The explanation of a frame. `mark` is the direction that a log tells, which may be wrong."""
@@ -101,12 +97,9 @@ def read(
     if not fitting:
         closest_reading = _closest(layout, frame, options, mark)
         # What a log marks as a response, and what is near a request only, is a wrong answer to the request before it.
-        return (
-            answer
-            if answer is not None and mark == "response" != closest_reading.explanation.direction
-            else closest_reading
-        )
-    fitting.sort(key=lambda reading: _doubts(layout, reading, mark, examples))
+        is_answer = mark == "response" and closest_reading.explanation.direction != mark
+        return answer if answer is not None and is_answer else closest_reading
+    fitting = sorted(fitting, key=lambda reading: _doubts(layout, reading, mark, examples))
     marked = [reading for reading in fitting if reading[1] == mark]
     chosen = "only" if len(fitting) == 1 else "mark" if len(marked) == 1 else "likeliest"
     mismatches = _unrepeated(answer, fitting[0]) if answer is not None and chosen != "likeliest" else ()
@@ -117,7 +110,7 @@ def _unrepeated(answer: ChosenReading, reading: Reading) -> tuple[str, ...]:
     """The parts of the request before it that a response does not repeat, unless the response clearly answers another
     request.
     """
-    if answer.explanation.reasons or _reading(answer.explanation) != reading:
+    if answer.explanation.reasons or reading_of(answer.explanation) != reading:
         return ()
     only = all(sentences.NOT_REPEATED in text for text in answer.mismatches)
     return answer.mismatches if only else ()
@@ -137,7 +130,7 @@ def _named_by_example(reading: Reading, examples: Sequence[Reading]) -> Reading:
     link, direction, message, error = reading
     if message or not error:
         return reading
-    return next((other for other in examples if (other[0], other[1], other[3]) == (link, direction, True)), reading)
+    return next((other for other in examples if other[:2] == (link, direction) and other[3]), reading)
 
 
 def _named_by_option(layout: DeviceLayout, frame: bytes, reading: Reading, options: FrameOptions) -> Reading:
@@ -145,11 +138,12 @@ def _named_by_option(layout: DeviceLayout, frame: bytes, reading: Reading, optio
     link, direction, message, error = reading
     if message or not error or not options.message:
         return reading
-    option_reading = _reading(explained(layout, link, direction, frame, options.message))
+    option_reading = reading_of(explained(layout, link, direction, frame, options.message))
     return option_reading if option_reading[2] == options.message and option_reading[3] else reading
 
 
-def _reading(explanation: Explanation) -> Reading:
+def reading_of(explanation: Explanation) -> Reading:
+    """The reading of an explanation."""
     return explanation.link, explanation.direction, explanation.message, explanation.error
 
 
@@ -185,16 +179,17 @@ def _closest(layout: DeviceLayout, frame: bytes, options: FrameOptions, mark: st
         ]
         # Nobody sends a request on a link whose messages come from the device alone.
         sending = carrying or [(link, direction) for link, direction in places if layout.links[link].carried(direction)]
-        candidates = [(*place, options.message, False) for place in sending or places]
+        candidates = [(link, direction, options.message, False) for link, direction in sending or places]
 
     examples = _examples(layout, frame)
+    reading = min(candidates, key=lambda own: _faults(layout, frame, own, _doubts(layout, own, mark, examples)))
+    return ChosenReading(_explained(layout, frame, reading), (), "closest")
 
-    def faults(reading: Reading) -> tuple[object, ...]:
-        explanation = _explained(layout, frame, reading)
-        marks = sum(reason in ("wrong_mark", "not_hex") for reason in explanation.reasons)
-        return marks, _doubts(layout, reading, mark, examples), len(explanation.reasons)
 
-    return ChosenReading(_explained(layout, frame, min(candidates, key=faults)), (), "closest")
+def _faults(layout: DeviceLayout, frame: bytes, reading: Reading, doubts: tuple[object, ...]) -> tuple[object, ...]:
+    """What makes a reading of a wrong frame less close than others."""
+    reasons = _explained(layout, frame, reading).reasons
+    return sum(reason in ("wrong_mark", "not_hex") for reason in reasons), doubts, len(reasons)
 
 
 def _answer(layout: DeviceLayout, frame: bytes, open_request: OpenRequest) -> ChosenReading:
@@ -204,7 +199,7 @@ def _answer(layout: DeviceLayout, frame: bytes, open_request: OpenRequest) -> Ch
     mismatches = tuple(_mismatches(layout, request, response))
     return ChosenReading(
         response,
-        () if response.reasons else (_reading(response),),
+        () if response.reasons else (reading_of(response),),
         "closest" if response.reasons else "request",
         mismatches,
     )
@@ -224,8 +219,12 @@ def _mismatches(layout: DeviceLayout, request: Explanation, response: Explanatio
             expected = announced.message.code_of("response")
             assert expected is not None
             if theirs and isinstance(actual, int) and actual != expected:
-                numbers = {"actual": theirs.number_text(actual), "expected": theirs.number_text(expected)}
-                yield sentences.ANOTHER_CODE.format(name=theirs.name, **numbers, message=request.message)
+                yield sentences.ANOTHER_CODE.format(
+                    name=theirs.name,
+                    actual=theirs.number_text(actual),
+                    expected=theirs.number_text(expected),
+                    message=request.message,
+                )
             continue
         if ours and isinstance(expected, int) and isinstance(actual, int) and actual != expected:
             yield sentences.ANOTHER_NUMBER.format(name=ours.name, actual=actual, expected=expected)
@@ -254,7 +253,7 @@ def _has_code_of_its_own(layout: DeviceLayout, response: Explanation) -> bool:
 _NAMED = 3
 
 
-def remarks(layout: DeviceLayout, chosen: ChosenReading, asked_in: int, options: FrameOptions) -> Iterator[str]:
+def remarks_on(layout: DeviceLayout, chosen: ChosenReading, asked_in: int, options: FrameOptions) -> Iterator[str]:
     """The remarks on a frame. `asked_in` is the line of the request before it, 0 if there is none."""
     if chosen.chosen == "closest":
         yield sentences.CLOSEST.format(device=layout.device.id)
@@ -281,17 +280,19 @@ def _coded(layout: DeviceLayout, link: str) -> bool:
 def _ambiguous(layout: DeviceLayout, chosen: ChosenReading) -> str:
     """The remark that other readings fit, and which options tell them apart."""
     own = chosen.explanation
-    readings = [_reading(own), *chosen.alternatives]
+    readings = [reading_of(own), *chosen.alternatives]
     options = _options(layout, own, chosen.alternatives)
     if all(not _coded(layout, link) for link, _, _, _ in readings):
-        names = _enumeration(
-            [_message_text(layout.device.links[link], direction, name) for link, direction, name, _ in readings], "or"
-        )
+        texts = [_message_text(layout.links[link].link, direction, name) for link, direction, name, _ in readings]
+        names = _enumeration(texts, "or")
         return sentences.AMBIGUOUS_SIZE.format(count=len(own.frame), names=names, options=options)
     names_of: dict[tuple[str, str, bool], list[str]] = {}
     for link, direction, message, error in chosen.alternatives:
         names_of.setdefault((link, direction, error), []).append(message or sentences.UNKNOWN_MESSAGE)
-    alternatives_text = " or ".join(_readings_text(layout, own, *key, names) for key, names in names_of.items())
+    alternatives_text = " or ".join(
+        _readings_text(layout, own, link, direction, error, names)
+        for (link, direction, error), names in names_of.items()
+    )
     own_names = [own.message or sentences.UNKNOWN_MESSAGE]
     explained = _readings_text(layout, own, own.link, own.direction, own.error, own_names)
     return sentences.AMBIGUOUS.format(explained=explained, others=alternatives_text, options=options)
@@ -299,19 +300,19 @@ def _ambiguous(layout: DeviceLayout, chosen: ChosenReading) -> str:
 
 def _options(layout: DeviceLayout, own: Explanation, alternatives: Sequence[Reading]) -> str:
     """The options that tell the readings apart: those that are each enough, else all that help."""
-    words = {layout.device.links[link].message_name for link in (own.link, *(other[0] for other in alternatives))}
-    word = f"--{option_word(words.pop())}" if len(words) == 1 else "--message"
+    links = (own.link, *(link for link, _, _, _ in alternatives))
+    words = list(dict.fromkeys(layout.links[link].link.message_name for link in links))
+    by_message = [message != own.message for _, _, message, _ in alternatives]
     telling = {
-        "--link": [link != own.link for link, _, _, _ in alternatives],
-        "--direction": [direction != own.direction for _, direction, _, _ in alternatives],
-        word: [message != own.message for _, _, message, _ in alternatives],
+        "request": by_message if own.direction == "response" and _asks(layout, own.link) else [False],
+        "link": [link != own.link for link, _, _, _ in alternatives],
+        "direction": [direction != own.direction for _, direction, _, _ in alternatives],
+        words[0] if len(words) == 1 else "message": by_message,
     }
-    if own.direction == "response" and _asks(layout, own.link) and any(telling[word]):
-        telling = {"--request": telling[word], **telling}
-    enough = [option for option, tells in telling.items() if all(tells)]
+    enough = [option_text(option) for option, tells in telling.items() if all(tells)]
     if enough:
         return sentences.OPTION_TELLS.format(options=" or ".join(enough))
-    helpful = (option for option, tells in telling.items() if any(tells))
+    helpful = [option_text(option) for option, tells in telling.items() if any(tells)]
     return sentences.OPTIONS_TELL.format(options=" and ".join(helpful))
 
 
@@ -325,22 +326,23 @@ def _readings_text(
 ) -> str:
     """Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`."""
     is_single = len(messages) == 1
-    name = layout.device.links[link].direction_name(direction)
-    parts = {
-        "message": messages[0],
-        "count": len(messages),
-        "names": ", ".join(messages if len(messages) <= _NAMED else [*messages[:_NAMED], ".."]),
-        "direction": name,
-        "place": "" if link == own.link else sentences.ON_LINK.format(link=link),
-    }
+    name = layout.links[link].link.direction_name(direction)
+    sentence = sentences.READING if is_single else sentences.READINGS
     if name not in DIRECTIONS and not error:
-        return (sentences.NAMED_MESSAGE if is_single else sentences.NAMED_MESSAGES).format(**parts)
+        sentence = sentences.NAMED_MESSAGE if is_single else sentences.NAMED_MESSAGES
     kind = "exception response" if error else direction
     joint = "of" if kind != "response" else "to"
     if kind == "response" and all(not layout.messages[message].message.is_requested for message in messages):
         kind, joint = "frame", "of"  # it answers nothing
-    sentence = sentences.READING if is_single else sentences.READINGS
-    return sentence.format(kind=kind, joint=joint, **parts)
+    return sentence.format(
+        message=messages[0],
+        count=len(messages),
+        names=", ".join(messages if len(messages) <= _NAMED else [*messages[:_NAMED], ".."]),
+        direction=name,
+        place="" if link == own.link else sentences.ON_LINK.format(link=link),
+        kind=kind,
+        joint=joint,
+    )
 
 
 def _message_text(link: Link, direction: str, message: str) -> str:
@@ -348,20 +350,20 @@ def _message_text(link: Link, direction: str, message: str) -> str:
     return sentences.NAMED_MESSAGE.format(message=message, direction=link.direction_name(direction), place="")
 
 
-def _enumeration(names: Iterable[str], last: str) -> str:
+def _enumeration(names: Sequence[str], last: str) -> str:
     """`a, b or c`"""
-    *rest, end = names
-    return f"{', '.join(rest)} {last} {end}" if rest else end
+    return f"{', '.join(names[:-1])} {last} {names[-1]}" if len(names) > 1 else names[0]
 
 
 def _of_other_length(layout: DeviceLayout, chosen: ChosenReading, options: FrameOptions) -> Iterator[str]:
     """The lengths of the messages, if only the length could identify the message, and it matches none."""
     own = chosen.explanation
     link = layout.links[own.link]
-    if _coded(layout, own.link) or not {"wrong_length", "incomplete", "unknown_code"} & set(own.reasons):
+    is_of_length = any(reason in ("wrong_length", "incomplete", "unknown_code") for reason in own.reasons)
+    if _coded(layout, own.link) or not is_of_length:
         return
     known = {direction: link.carried(direction) for direction in DIRECTIONS}
-    names = dict.fromkeys([*known["request"], *known["response"]])
+    names = list(dict.fromkeys((*known["request"], *known["response"])))
     ways = [direction for direction in DIRECTIONS if options.goes(own.link, direction)]
     escape = link.link.escape if link.link.is_can else None
     identifier = 0 if escape is None else escape.fields_size

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from fieldspec.codec.explain.explanation import explained, is_damaged
+from fieldspec.codec.explain.explanation import explained
+from fieldspec.codec.explain.frame_rows import is_damaged
 from fieldspec.codec.explain.row import unwrapped
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
@@ -12,12 +13,16 @@ from fieldspec.codec.layout.frame import LinkLayout
 Reading = tuple[str, str, str, bool]
 """A possible interpretation of a frame: its link, direction and message, and whether it is an exception response."""
 
-_OF_VALUES = frozenset({"unknown_value", "wrong_const", "wrong_measure"})
+_OF_VALUES = ("unknown_value", "wrong_const", "wrong_measure")
 # The frame carries no code, so its message is a guess. That is not a fault, but a broken frame needs better evidence.
 _GUESSED = "guessed"
 # The faults that a reading may have. The readings of the first step that any of them passes are the result.
-_FITTING = (frozenset({_GUESSED}), _OF_VALUES | {_GUESSED})
-_CLOSE = (_OF_VALUES | {"wrong_checksum", _GUESSED}, _OF_VALUES | {"wrong_checksum", "wrong_length", "incomplete"})
+_FITTING = (frozenset((_GUESSED,)), frozenset((*_OF_VALUES, _GUESSED)))
+_CLOSE = (
+    *_FITTING,
+    frozenset((*_OF_VALUES, "wrong_checksum", _GUESSED)),
+    frozenset((*_OF_VALUES, "wrong_checksum", "wrong_length", "incomplete")),
+)
 
 
 def recognised(layout: DeviceLayout, frame: bytes) -> list[Reading]:
@@ -32,10 +37,10 @@ def recognised(layout: DeviceLayout, frame: bytes) -> list[Reading]:
 
 def closest(layout: DeviceLayout, frame: bytes) -> list[Reading]:
     """The readings of a frame without faults, else those with a wrong checksum, else those with a wrong length too."""
-    return _readings(layout, frame, _FITTING + _CLOSE)
+    return _readings(layout, frame, _CLOSE)
 
 
-def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], ...]) -> list[Reading]:
+def _readings(layout: DeviceLayout, frame: bytes, steps: Sequence[frozenset[str]]) -> list[Reading]:
     reasons_of: dict[Reading, frozenset[str]] = {}
     for link in layout.links.values():
         for direction in ("request", "response"):
@@ -44,7 +49,8 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
             names = _of_length(link, direction, frame) if steps is _FITTING else list(link.carried(direction))
             if link.frame(direction).role("code") is not None:
                 ambiguous = link.ambiguous_codes(direction).values()
-                names = ["", *(message.name for messages in ambiguous for message in messages if message.name in names)]
+                shared = [message.name for messages in ambiguous for message in messages]
+                names = ["", *(name for name in shared if name in names)]
             elif direction == "response" and link.has_uncoded_exceptions:
                 names.append("")  # an exception response says what it is, and not which message it answers
             for message in names:
@@ -55,7 +61,9 @@ def _readings(layout: DeviceLayout, frame: bytes, steps: tuple[frozenset[str], .
                 reasons_of.setdefault((link.name, direction, explanation.message, explanation.error), reasons)
     for accepted in steps:
         fitting = [
-            reading for reading, reasons in reasons_of.items() if reasons <= accepted and (reading[2] or reading[3])
+            reading
+            for reading, reasons in reasons_of.items()
+            if reasons.issubset(accepted) and (reading[2] or reading[3])
         ]
         if fitting:
             return fitting

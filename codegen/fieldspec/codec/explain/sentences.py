@@ -16,6 +16,7 @@ TOO_MANY = "{bytes} too many"
 CHARACTER_TOO_MANY = "1 character too many"
 NOT_PAIRS = "not pairs of hexadecimal characters"
 BOUNDS = "{low} to {high}"
+OR_MORE = "{low} or more"
 
 # Parts of frames
 
@@ -101,10 +102,10 @@ SINGLE_DIGIT = "at byte {offset}, `{piece}` is one digit of two"
 NO_BYTES = "there are no bytes in it"
 TOO_LONG = "it has {count} characters or more"
 END_ASSUMED = "{characters} is missing at the end of the text and is assumed to have been sent"
-DIRECTION_WORDS = {
-    "request": ("tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"),
-    "response": ("rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"),
-}
+DIRECTION_WORDS = (
+    ("request", ("tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req")),
+    ("response", ("rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer")),
+)
 
 
 def byte_count(count: int) -> str:
@@ -112,6 +113,6 @@ def byte_count(count: int) -> str:
     return SINGLE_BYTE if count == 1 else BYTES.format(count=count)
 
 
-def missing(count: int, names: str) -> str:
+def missing_text(count: int, names: str) -> str:
     """How many bytes are missing for the fields or the part of these names."""
     return (BYTE_MISSING if count == 1 else BYTES_MISSING).format(count=count, names=names)

@@ -102,15 +102,15 @@ def accessed(
     is_bits, size = space.unit == BIT, space.unit_size
     if access.set is not None:
         number = values.get(access.values) if data else None
-        bit = {access.set: 1, access.clear: 0}.get(number) if isinstance(number, int) else None
-        return Span(access.space, start, 1, offset, data, (bit,))
+        bit = 1 if number == access.set else 0 if number == access.clear else None
+        return Span(access.space, int(start), 1, offset, data, (bit,))
     carried = 8 * len(data) if is_bits else len(data) // size
     count = values.get(access.count, request_values.get(access.count)) if access.count else None
     unstated = carried if access.count else 1 if is_bits else max(carried, 1)
-    words = count if isinstance(count, int) else unstated
+    words = int(count) if isinstance(count, int) else unstated
     if is_bits:
-        return Span(access.space, start, words, offset, data, tuple(unpacked_bits(data))[:words])
-    return Span(access.space, start, words, offset, data[: carried * size], unit_size=size)
+        return Span(access.space, int(start), words, offset, data, tuple(unpacked_bits(data))[:words])
+    return Span(access.space, int(start), words, offset, data[: carried * size], unit_size=size)
 
 
 def accessed_spans(

@@ -18,6 +18,7 @@ from fieldspec.codec.layout.accepted import (
     Test,
     Within,
 )
+from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.values import Raw
 from fieldspec.codec.layout.widths import value_form
 from fieldspec.codec.program.interpreter import Row, read_value
@@ -26,7 +27,16 @@ from fieldspec.foundation.classes import TYPE_CHECKING, dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
-from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, is_array
+from fieldspec.language.model.encoding import (
+    Digits,
+    Octets,
+    Real,
+    Text,
+    Truth,
+    Whole,
+    is_array,
+    is_real,
+)
 from fieldspec.language.model.enums import Bit, Enum, Flags, Member, State
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.raw_numbers import number_in
@@ -80,6 +90,14 @@ class DecodedValue:
         if right:
             return replace(self, verdict="right", reason="")
         return replace(self, verdict=sentences.SHOULD_BE.format(expected=expected), reason=reason)
+
+
+def repeated_value(read: DecodedValue, expected: Raw, value: Value | None) -> DecodedValue:
+    """A value that repeats another one, judged by that one."""
+    text = spec_text(
+        float(expected) if value is not None and is_real(value.encoding) and isinstance(expected, int) else expected
+    )
+    return read.judged(read.number == expected, text, "")
 
 
 def fault_of(verdict: str) -> str:
@@ -150,6 +168,23 @@ def range_in_unit(value: Value, ranges: Ranges) -> str:
 
     text = ", ".join(bound(low) if low == high else f"{bound(low)}..{bound(high)}" for low, high in ranges.intervals)
     return f"{text} {value.unit}".strip()
+
+
+def has_in_ranges(value: Value, number: int) -> bool:
+    """Whether a value has ranges, and a number is in one of them."""
+    return value.ranges is not None and number in value.ranges
+
+
+def intervals_of(value: Value) -> tuple[tuple[int, int], ...]:
+    """The intervals of the ranges of a value."""
+    return value.ranges.intervals if value.ranges is not None else ()
+
+
+def exponent_applied(value: Value, exponent: Value, number: Raw | None) -> Value:
+    """A value with the scale that the number of its exponent makes; unchanged for a number that is not an exponent."""
+    if not isinstance(number, int) or not has_in_ranges(exponent, number):
+        return value
+    return value.scaled_by(number) if exponent.sentinel(number) is None else value
 
 
 def decode_value(

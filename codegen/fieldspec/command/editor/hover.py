@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read, remarks
+from fieldspec.codec.explain.readings import FrameOptions, OpenRequest, read_frame, remarks_on
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command import rules
 from fieldspec.command.editor.cursor import Cursor
@@ -114,11 +114,11 @@ def explained(layout: DeviceLayout, example: Example) -> Iterator[Block]:
     request = layout.device.examples.get(example.reply_to)
     open_request = None
     if request is not None and example.direction == "response":
-        reading = read(layout, request.frame, FrameOptions(((example.link, "request"),), example.message))
+        reading = read_frame(layout, request.frame, FrameOptions(((example.link, "request"),), example.message))
         open_request = OpenRequest(reading.explanation, True)
     options = FrameOptions(((example.link, example.direction),), example.message)
-    reading = read(layout, example.frame, options, open_request=open_request)
-    yield from explanation_text.whole_blocks(layout, reading, remarks(layout, reading, 0, options))
+    reading = read_frame(layout, example.frame, options, open_request=open_request)
+    yield from explanation_text.whole_blocks(layout, reading, remarks_on(layout, reading, 0, options))
 
 
 def _differing(

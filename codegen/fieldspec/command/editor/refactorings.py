@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from fieldspec.codec.explain.log import Unreadable, log_line
-from fieldspec.codec.explain.readings import FrameOptions, read, remarks
+from fieldspec.codec.explain.lines import Unreadable, log_line
+from fieldspec.codec.explain.readings import FrameOptions, read_frame, remarks_on
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
@@ -161,15 +161,16 @@ def frame_at(place: Cursor | None, file: SourceFile, start: int, end: int) -> by
 def explained(layout: DeviceLayout, frame: bytes) -> str:
     """A frame as `decode` explains it."""
     options = FrameOptions()
-    reading = read(layout, frame, options)
-    return "".join(map(bare_text, explanation_text.whole_blocks(layout, reading, remarks(layout, reading, 0, options))))
+    reading = read_frame(layout, frame, options)
+    remarks = remarks_on(layout, reading, 0, options)
+    return "".join(map(bare_text, explanation_text.whole_blocks(layout, reading, remarks)))
 
 
 def example_of(place: Cursor, layout: DeviceLayout, frame: bytes) -> Action | None:
     """A frame as an example of the spec; None where it is not valid, or an example already."""
     if any(example.frame == frame for example in layout.device.examples.values()):
         return None
-    reading = read(layout, frame, FrameOptions())
+    reading = read_frame(layout, frame, FrameOptions())
     explanation = reading.explanation
     if reading.wrong or not explanation.message:
         return None

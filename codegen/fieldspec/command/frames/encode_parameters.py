@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.explain.parameters import parameter_number, rounded
+from fieldspec.codec.explain.entered import parameter_number, rounded
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.values import MeaningError, pieces, raw_value

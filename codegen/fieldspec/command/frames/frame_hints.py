@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable, Iterator
 
-from fieldspec.codec.explain.readings import ChosenReading, FrameOptions, read
+from fieldspec.codec.explain.readings import ChosenReading, FrameOptions, read_frame
 from fieldspec.codec.explain.recognition import Reading, recognised
 from fieldspec.codec.explain.row import unwrapped
 from fieldspec.codec.layout.device import DeviceLayout
@@ -118,7 +118,7 @@ class FrameHints:
         for layout, options in self._versions:
             if not recognised(layout, frame):
                 continue
-            reading = read(layout, frame, options)
+            reading = read_frame(layout, frame, options)
             if not reading.wrong:
                 own = reading.explanation
                 text = _text((own.link, own.direction, own.message, own.error))
@@ -140,7 +140,7 @@ class FrameHints:
 def _is_wrong(layout: DeviceLayout, frame: bytes, reading: Reading) -> bool:
     """Whether a value of a frame is wrong."""
     link, direction, message, _ = reading
-    return read(layout, frame, FrameOptions(((link, direction),), message)).wrong
+    return read_frame(layout, frame, FrameOptions(((link, direction),), message)).wrong
 
 
 def _text(reading: Reading) -> str:

@@ -8,7 +8,8 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import pairwise
 
-from fieldspec.codec.explain.readings import DIRECTIONS, FrameOptions, option_word
+from fieldspec.codec.explain.option_names import option_word
+from fieldspec.codec.explain.readings import DIRECTIONS, FrameOptions
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.command.console.usage import UsageError, unknown

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable, Sequence
 
-from fieldspec.codec.explain.parameters import rounded
+from fieldspec.codec.explain.entered import rounded
 from fieldspec.command.console.streams import print_error, print_line, print_note
 from fieldspec.command.console.terminal import print_blocks
 from fieldspec.command.console.usage import UsageError, unknown

@@ -7,11 +7,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from decimal import Decimal
 from itertools import groupby
 
+from fieldspec.codec.explain.errata import citations, concerns_link
 from fieldspec.codec.explain.examples import examples_of_bytes, printed
 from fieldspec.codec.explain.explanation import Explanation, ExplanationRow, Meaning
 from fieldspec.codec.explain.readings import ChosenReading
 from fieldspec.codec.explain.recognition import Reading
-from fieldspec.codec.explain.row import IDENTIFIER, citations, concerns_link
+from fieldspec.codec.explain.row import IDENTIFIER
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.rendering.blocks import Block, Line, Table, narrowed
 from fieldspec.foundation.classes import replace

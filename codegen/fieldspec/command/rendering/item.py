@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.codec.explain.parameters import number_of_text
-from fieldspec.codec.explain.row import citations
+from fieldspec.codec.explain.entered import number_of_text
+from fieldspec.codec.explain.errata import citations
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import RecordLayout

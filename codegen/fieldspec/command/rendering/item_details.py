@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.codec.explain.body import references_text
+from fieldspec.codec.explain.percentages import references_text
 from fieldspec.codec.explain.recognition import lengths
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.codec.layout.message import MessageLayout

@@ -6,7 +6,8 @@ import argparse
 from collections.abc import Iterator
 from contextlib import suppress
 
-from fieldspec.codec.explain.readings import DIRECTIONS, option_word
+from fieldspec.codec.explain.option_names import option_word
+from fieldspec.codec.explain.readings import DIRECTIONS
 from fieldspec.command.console.streams import print_document
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.sources import specs

@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 
 from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.explanation import Explanation
-from fieldspec.codec.explain.log import LogLine, Unreadable, is_hex_word, log_line
-from fieldspec.codec.explain.readings import ChosenReading, FrameOptions, OpenRequest, read, remarks
+from fieldspec.codec.explain.lines import LogLine, Unreadable, is_hex_word, log_line
+from fieldspec.codec.explain.open_requests import OpenRequests
+from fieldspec.codec.explain.readings import ChosenReading, FrameOptions, OpenRequest, read_frame, remarks_on
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.codec.layout.repeated_parts import repeated_parts
 from fieldspec.command.console.streams import print_error, print_json, print_line, print_note
 from fieldspec.command.console.terminal import print_blocks
 from fieldspec.command.console.usage import UsageError
@@ -138,12 +138,12 @@ def run(arguments: argparse.Namespace) -> int:
         return Log(layout, options, open_request, printer, hints, arguments.strict).explain(sys.stdin.buffer)
     line = _frame(layout, text, arguments.device)
 
-    def read_frame(frame: bytes) -> tuple[ChosenReading, int]:
-        return read(layout, frame, options, line.direction, open_request), 0
+    def reading(frame: bytes) -> tuple[ChosenReading, int]:
+        return read_frame(layout, frame, options, line.direction, open_request), 0
 
-    hinted_readings = hints.readings(line.frame, read_frame)
+    hinted_readings = hints.readings(line.frame, reading)
     for hinted in hinted_readings:
-        frame_remarks = remarks(layout, hinted.reading, 0, options)
+        frame_remarks = remarks_on(layout, hinted.reading, 0, options)
         printer.explain(hinted.reading, [*line.remarks, *frame_remarks, *hinted.hints])
     return int(_fail(hinted_readings, arguments.strict))
 
@@ -161,7 +161,7 @@ def _parse_request(layout: DeviceLayout, options: FrameOptions, text: str | None
     if text is None:
         return None
     places = tuple((link, "request") for link in layout.links if options.goes(link, "response"))
-    request = read(layout, _frame(layout, text, "").frame, FrameOptions(places, options.message))
+    request = read_frame(layout, _frame(layout, text, "").frame, FrameOptions(places, options.message))
     if request.wrong and request.explanation.reasons != ("unknown_code",):
         faults_text = "; ".join(faults(request.explanation))
         raise UsageError(f"--request is not a valid request of {layout.device.id}: {faults_text}")
@@ -199,16 +199,10 @@ def _path_hint(path: str, device: str) -> str:
     return f"; it is a path: explain its lines with {command} - < {shlex.quote(path)}"
 
 
-_MOST_OPEN = 64
-"""The requests without an answer that are remembered."""
-
-
 class Log:
     """Explains the frames of a log, one in each line, in constant memory.
 
-    `asked` is the request that the user names for all responses. `open` are the requests that may still be answered,
-    each with its line, the newest last: one for each of the values that responses repeat. `mark` is the direction that
-    a line without bytes announces for the next one.
+    `mark` is the direction that a line without bytes announces for the next one.
     """
 
     def __init__(
@@ -223,9 +217,7 @@ class Log:
         self.hints = hints
         self.layout, self.said, self.printer, self.strict = layout, options, printer, strict
         self.links = [link.link for link in layout.links.values()]
-        self.asked = open_request
-        self.open: list[tuple[OpenRequest, int]] = []
-        self.repeated = {name: repeated_parts(link) for name, link in layout.links.items()}
+        self.requests = OpenRequests(layout, open_request, self._reading)
         self.mark = ""
         self.wrong = False
         self.readings: dict[object, ChosenReading] = {}
@@ -253,81 +245,25 @@ class Log:
         self.mark = line.direction or self.mark
         if not line.frame:
             return
-        hinted_readings = self.hints.readings(line.frame, self._read)
+        hinted_readings = self.hints.readings(line.frame, self.requests.reading)
         for hinted in hinted_readings:
-            frame_remarks = remarks(self.layout, hinted.reading, hinted.asked_in, self.said)
+            frame_remarks = remarks_on(self.layout, hinted.reading, hinted.asked_in, self.said)
             self.printer.explain(hinted.reading, [*line.remarks, *frame_remarks, *hinted.hints], number)
-            self._remember(hinted.reading, number)
+            self.requests.remember(hinted.reading, number)
         self.wrong = self.wrong or _fail(hinted_readings, self.strict)
         self.mark = ""
-
-    def _remember(self, reading: ChosenReading, number: int) -> None:
-        """Keeps the requests that may still be answered after a frame of line `number`."""
-        if self.asked is None:
-            self._close(reading.explanation)
-            request = self._request(reading)
-            self.open = [*self.open[1 - _MOST_OPEN :], (request, number)] if request is not None else self.open
-
-    def _read(self, frame: bytes) -> tuple[ChosenReading, int]:
-        """The reading of a frame, and the line of the request before it that counts; 0 where there is none."""
-        if self.asked is not None or not self.open:
-            return self._reading(frame, self.asked), 0
-        nearest = None
-        for open_request, line in self.open[::-1]:
-            own = self._reading(frame, open_request), line
-            if own[0].chosen == "request":
-                return own
-            if nearest is None or (own[0].mismatches and not nearest[0].mismatches):
-                nearest = own
-        assert nearest is not None
-        return nearest
 
     def _reading(self, frame: bytes, open_request: OpenRequest | None) -> ChosenReading:
         request = open_request.request if open_request is not None else None
         key = frame, self.mark, None if request is None else (request.link, request.message, request.frame)
         reading = self.readings.get(key)
         if reading is None:
-            reading = read(self.layout, frame, self.said, self.mark, open_request)
+            reading = read_frame(self.layout, frame, self.said, self.mark, open_request)
             if len(frame) <= _LONGEST_KNOWN:
                 self.readings[key] = reading
             if len(self.readings) > _MOST_KNOWN:
                 del self.readings[next(iter(self.readings))]
         return reading
-
-    def _close(self, frame: Explanation) -> None:
-        """Closes the requests that a frame answers, or leaves without an answer."""
-        message = self.layout.messages.get(frame.message)
-        if message is not None and not message.message.is_requested:
-            return  # the device sends it of its own accord
-        own = self._numbers(frame)
-        self.open = [
-            other
-            for other in self.open
-            if None not in own and other[0].request.link == frame.link and self._numbers(other[0].request) != own
-        ]
-
-    def _numbers(self, frame: Explanation) -> list[object]:
-        """What responses repeat of their requests, in a request or in a response; None where a frame lacks it."""
-        pairs = self.repeated[frame.link]
-        return [
-            frame.values.get((request_part if frame.direction == "request" else answer).name)
-            for request_part, answer in pairs
-        ]
-
-    def _request(self, reading: ChosenReading) -> OpenRequest | None:
-        """The frame as the request that the next response answers; None for messages without a response."""
-        request = reading.explanation
-        if request.direction != "request" or (reading.wrong and request.reasons != ("unknown_code",)):
-            return None
-        link = self.layout.links[request.link]
-        if request.message in link.messages and request.message not in link.carried("response"):
-            return None
-        if reading.chosen == "likeliest" and link.response.role("code") is None and link.request.role("code") is None:
-            return None  # nothing shows that it is a request
-        unit_address, addresses = link.request.role("unit_address"), link.link.unit_addresses
-        if unit_address and addresses and request.values.get(unit_address.name) == addresses.broadcast:
-            return None
-        return OpenRequest(request, False)
 
 
 def _refuse_packets(head: bytes) -> None:

@@ -6,10 +6,10 @@ import argparse
 import re
 from collections.abc import Collection, Iterator, Mapping
 
+from fieldspec.codec.explain.entered import parameter_number
 from fieldspec.codec.explain.explanation import explained
-from fieldspec.codec.explain.parameters import parameter_number
+from fieldspec.codec.explain.occupants import Occupant, forbidden, occupant_at
 from fieldspec.codec.explain.readings import DIRECTIONS
-from fieldspec.codec.explain.registers import Occupant, forbidden, occupant_at
 from fieldspec.codec.explain.row import ExplanationRow
 from fieldspec.codec.explain.spans import accessed
 from fieldspec.codec.layout.bits import packed_bits

@@ -137,3 +137,9 @@ class Escape:
             ", ".join(f"{byte:02X} is sent as {before:02X} {after:02X}" for byte, before, after in self.pairs)
             + part_range
         )
+
+
+def can_frame_bytes(identifier: int, is_extended: bool, is_remote: bool, size: int, data: bytes) -> bytes:
+    """A CAN frame as SocketCAN writes it: its identifier with its flags, the number of data bytes, zeros, the data."""
+    flags = (CAN_EXTENDED if is_extended else 0) | (CAN_REMOTE if is_remote else 0)
+    return (identifier | flags).to_bytes(4, "big") + bytes((size, 0, 0, 0)) + data

@@ -231,6 +231,14 @@ class Link(Fact):
         return bytes((value.const & 0xFF,))
 
     @property
+    def openings(self) -> dict[str, str]:
+        """What people see at the beginning of frames that they write as characters, by direction."""
+        if not self.sends_characters:
+            return {}
+        marks = {direction: self.opening(direction).decode("latin-1") for direction in ("request", "response")}
+        return {direction: mark for direction, mark in marks.items() if mark and mark.isprintable()}
+
+    @property
     def is_can(self) -> bool:
         """Whether the link is on a CAN bus."""
         return self.escape is not None and self.escape.method == "can"

@@ -2,6 +2,7 @@
 
 from fieldspec.codec.explain import sentences
 from fieldspec.targets.explainer.literals import lines
+from fieldspec.targets.explainer.translation.modules import TRANSLATED, translated
 from fieldspec.targets.templates import text
 
 SHARED = ("checksums", "error", "escapes", "encodings", "digit_texts", "number_bits", "lists", "widths")
@@ -11,17 +12,29 @@ RUNTIME = (
     "numbers",
     "sentences",
     "texts",
+    "python",
     "interpreter",
+    "frames",
+    "links",
+    "layouts",
+    "parameter_sets",
     "device",
     "values",
-    "rows",
-    "frames",
+    "row",
+    "percentages",
     "parameters",
+    "spans",
+    "occupants",
     "registers",
     "body",
+    "explained_frame",
+    "frame_rows",
     "explanation",
+    "frame_sizes",
+    "recognition",
     "readings",
     "lines",
+    "open_requests",
     "log",
     "entries",
     "encoding",
@@ -36,8 +49,9 @@ _HEAD = "/** The sentences of explanations. A name in braces stands for what dif
 
 
 def module_text(name: str) -> str:
-    """The text of a module. The module of the sentences is made from `codec/explain/sentences.py`."""
+    """The text of a module. The module of the sentences is made from `codec/explain/sentences.py`, and
+    others are translated."""
     if name == "sentences":
         constants = {key: value for key, value in vars(sentences).items() if key.isupper()}
         return f"{_HEAD}\nexport const SENTENCES = {lines(constants, 1)};\n"
-    return text(f"targets/explainer/runtime/{name}.js")
+    return translated(name) if name in TRANSLATED else text(f"targets/explainer/runtime/{name}.js")

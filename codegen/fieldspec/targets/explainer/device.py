@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from fieldspec.codec.explain.body import references_text
+from fieldspec.codec.explain.errata import citations
 from fieldspec.codec.explain.examples import printed
-from fieldspec.codec.explain.row import citations
+from fieldspec.codec.explain.percentages import references_text
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import Erratum, Example

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.explain.frame_sizes import bounds_text
-from fieldspec.codec.explain.recognition import lengths, sent_lengths
 from fieldspec.codec.layout.exception_mark import ExceptionMark
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.part import PartLayout
@@ -50,10 +48,9 @@ def link_data(link: LinkLayout) -> dict[str, Data]:
         **stated({"preamble": _preamble(own.preamble)}),
         "subcodes": {direction: _subcodes(link, direction) for direction in DIRECTIONS},
         "codes": {direction: _code_texts(link, direction) for direction in DIRECTIONS},
-        **stated({"openings": _openings(link)}),
+        **stated({"openings": own.openings}),
         **stated({"ambiguous": list(link.ambiguous_codes("response")), "barred": link.barred_messages}),
         "directionNames": {"request": own.request_name, "response": own.response_name},
-        "lengths": {direction: _lengths(link, direction) for direction in DIRECTIONS},
         "carried": {direction: list(link.carried(direction)) for direction in DIRECTIONS},
         "repeated": [[part.name, repetition.name] for part, repetition in repeated_parts(link)],
         "request": _frame(link.request),
@@ -93,26 +90,6 @@ def _subcodes(link: LinkLayout, direction: str) -> list[Data]:
         }
         for code, shared in link.subcodes(direction).items()
     ]
-
-
-def _lengths(link: LinkLayout, direction: str) -> list[Data]:
-    """The messages that frames may be by their length: the least and the most bytes that are sent, and in words."""
-    frame = link.frame(direction)
-    if frame.role("code") is not None and not link.ambiguous_codes(direction):
-        return []
-    identifier = frame.escape.fields_size if frame.escape is not None else 0
-    return [
-        [name, minimum, maximum, bounds_text(*lengths(link, direction, name), identifier)]
-        for name, minimum, maximum in sent_lengths(link, direction)
-    ]
-
-
-def _openings(link: LinkLayout) -> dict[str, Data]:
-    """What people see at the beginning of frames that they write as characters."""
-    if not link.link.sends_characters:
-        return {}
-    marks = {direction: link.link.opening(direction).decode("latin-1") for direction in DIRECTIONS}
-    return {direction: mark for direction, mark in marks.items() if mark and mark.isprintable()}
 
 
 def _code_texts(link: LinkLayout, direction: str) -> dict[str, Data]:
@@ -166,4 +143,5 @@ def _escape(escape: Escape | None) -> Data:
     if escape is None:
         return None
     fields = {"fields": escape.fields, "remote": escape.remote} if escape.method == "can" else {}
-    return stated({"method": escape.method, "bytes": Code(escape_object(escape)), **fields})
+    growth = {"replace": 1, "cobs": 254, "insert": len(escape.pattern)}.get(escape.method, 0)
+    return stated({"method": escape.method, "bytes": Code(escape_object(escape)), "growth": growth, **fields})

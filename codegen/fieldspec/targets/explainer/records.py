@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.explain.parameters import index_field
-from fieldspec.codec.explain.row import errata_of_message
+from fieldspec.codec.explain.errata import errata_of_message
 from fieldspec.codec.layout.inner_list_data import inner_lists_data
 from fieldspec.codec.layout.list_places import inner_lists_of
 from fieldspec.codec.layout.message import MessageLayout
@@ -15,7 +14,7 @@ from fieldspec.codec.program.lowering import field_program
 from fieldspec.codec.program.operations import Load, LoadVarying
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.record import Message, RegisterAccess
+from fieldspec.language.model.record import RegisterAccess
 from fieldspec.targets.explainer.literals import Data
 from fieldspec.targets.explainer.values import fact_data, stated, value_data
 
@@ -146,17 +145,9 @@ def message_data(device: Device, message: MessageLayout) -> dict[str, Data]:
                 "access": _access(device, own.single_access) if own.single_access is not None else None,
                 "steps": [_access(device, step) for step in own.access_steps],
                 "errata": list(errata_of_message(device, own)),
-                "indices": _indices(own),
             }
         ),
     }
-
-
-def _indices(message: Message) -> dict[str, Data]:
-    """The field with the index of the first element of a parameter, by the field with the number of the parameter."""
-    fields = (*message.request.fields, *message.response.fields)
-    parts = [part for field in fields if field.value is not None and (part := field.value.parameter) is not None]
-    return stated({part.number: index_field(message, part) for part in parts})
 
 
 def _access(device: Device, access: RegisterAccess) -> Data:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.explain.row import citations
+from fieldspec.codec.explain.errata import citations
 from fieldspec.codec.layout.device import DeviceLayout, TableLayout
 from fieldspec.codec.layout.nested_fields import NestedField, nested_fields
 from fieldspec.codec.layout.record import RegisterLayout

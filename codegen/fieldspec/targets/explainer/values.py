@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from decimal import Decimal
 
-from fieldspec.codec.explain.row import citations
+from fieldspec.codec.explain.errata import citations
 from fieldspec.codec.explain.values import bit_text, member_list, member_notes, remark_on_bit_numbers, state_text
 from fieldspec.codec.layout.needed_bits import needed_bits
 from fieldspec.codec.layout.widths import value_form

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from fieldspec.codec.explain.row import concerns_link
+from fieldspec.codec.explain.errata import concerns_link
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.names import Name, stem
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from fieldspec.codec.explain.body import references_text
-from fieldspec.codec.explain.row import errata_of_message
+from fieldspec.codec.explain.errata import errata_of_message
+from fieldspec.codec.explain.percentages import references_text
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout

@@ -6,7 +6,7 @@ from decimal import Decimal
 from fractions import Fraction
 from math import lcm
 
-from fieldspec.codec.explain.row import errata_at, errata_of_words
+from fieldspec.codec.explain.errata import errata_at, errata_of_words
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_array, is_count, is_exact
 from fieldspec.language.model.enums import Enum, Flags

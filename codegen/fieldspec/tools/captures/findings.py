@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.codec.explain.registers import FORBIDS, Occupant
+from fieldspec.codec.explain.occupants import Occupant, forbidden_text
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.language.model.quantity import real_text
 from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable
@@ -115,7 +115,7 @@ class CaptureAudit:
                 if verdict in _REMARKS
             ]
             occupant = self.occupants.get((use.space, use.register))
-            objection = FORBIDS.get((use.operation, occupant.access)) if occupant is not None else None
+            objection = forbidden_text(use.operation, occupant.access) if occupant is not None else None
             if objection:
                 place = (use.space, use.address, use.register, use.operation)
                 rows.append((*place, f"the register {objection}", use.count, *_bounds(use)))

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from fieldspec.codec.explain.registers import Occupant, occupants
+from fieldspec.codec.explain.occupants import Occupant, occupants
 from fieldspec.codec.explain.spans import Span
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import dataclass

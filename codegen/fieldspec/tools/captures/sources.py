@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from fieldspec.codec.explain.log import Unreadable, log_line
+from fieldspec.codec.explain.lines import Unreadable, log_line
 from fieldspec.language.model.link import Link
 from fieldspec.tools.captures.capture_files import BATCH, CaptureReader, Read
 from fieldspec.tools.captures.columns import Bytes

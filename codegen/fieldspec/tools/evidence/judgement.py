@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
-from fieldspec.codec.explain.registers import FORBIDS
+from fieldspec.codec.explain.occupants import forbidden_text
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.fact import Fact
 from fieldspec.tools.evidence.observables import READ, WRITE, Observable, Observables
@@ -147,7 +147,7 @@ class _UnitJudge:
         aspect = (item.fact.place.path, ACCESS)
         operations = {operation: series for (_, operation), series in own.items()}
         for operation, series in operations.items():
-            objection = FORBIDS.get((operation, item.access))
+            objection = forbidden_text(operation, item.access)
             if objection:
                 done = "read" if operation == READ else "written"
                 remark = f"the spec says that it {objection}, and it was {done}"

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any, Literal
 
-from fieldspec.codec.explain.registers import Occupant
+from fieldspec.codec.explain.occupants import Occupant
 from fieldspec.codec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.list_places import inner_lists_of

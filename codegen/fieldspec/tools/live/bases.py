@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from fieldspec.codec.explain.registers import base_of_table
+from fieldspec.codec.explain.occupants import base_of_table
 from fieldspec.codec.layout.bases import at_bases, moving_tables
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.value_texts import spec_text

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
-from fieldspec.codec.explain.registers import Occupant, occupants
+from fieldspec.codec.explain.occupants import Occupant, occupants
 from fieldspec.codec.explain.spans import Span
 from fieldspec.codec.explain.values import DecodedValue, decode_value
 from fieldspec.codec.layout.bits import unpacked_bits

@@ -8,14 +8,14 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from fieldspec.codec.explain.hazards import roles_of
-from fieldspec.codec.explain.registers import (
+from fieldspec.codec.explain.occupants import (
     absent_text,
     base_of_table,
     count_of_occupant,
     element_number,
-    exponent_applied,
     exponent_of_occupant,
 )
+from fieldspec.codec.explain.values import exponent_applied
 from fieldspec.codec.layout.bases import at_bases, at_usual_bases, moving_tables
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.access import readable, writable
@@ -31,7 +31,7 @@ from fieldspec.tools.live.writing import Assignment, request_frame
 if TYPE_CHECKING:
     from typing import TypeAlias
 
-    from fieldspec.codec.explain.registers import Occupant
+    from fieldspec.codec.explain.occupants import Occupant
     from fieldspec.codec.layout.device import DeviceLayout
     from fieldspec.language.model.address_space import AddressSpace
     from fieldspec.language.model.value import Value

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from fieldspec.codec.explain.registers import Occupant, count_of_occupant, element_number
+from fieldspec.codec.explain.occupants import Occupant, count_of_occupant, element_number
 from fieldspec.codec.layout.bases import at_bases, moving_tables
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout

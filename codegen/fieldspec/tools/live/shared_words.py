@@ -10,7 +10,7 @@ from fieldspec.language.model.access import writable
 from fieldspec.tools.live.writing import Assignment, is_partial, words_of
 
 if TYPE_CHECKING:
-    from fieldspec.codec.explain.registers import Occupant
+    from fieldspec.codec.explain.occupants import Occupant
     from fieldspec.codec.layout.device import DeviceLayout
 
 

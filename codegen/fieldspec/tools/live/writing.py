@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.codec.explain.hazards import roles_of, write_hazards
-from fieldspec.codec.explain.registers import FORBIDS, Occupant
+from fieldspec.codec.explain.occupants import Occupant, forbidden_text
 from fieldspec.codec.layout.bits import packed_bits
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.values import MeaningError, raw_value
@@ -47,7 +47,7 @@ class Assignment:
 
 def assignment(layout: DeviceLayout, space: str, occupant: Occupant, text: str) -> Assignment:
     """The assignment of a value as people write it: a count, a quantity, a member. Raises WriteError."""
-    objection = FORBIDS.get(("write", occupant.access))
+    objection = forbidden_text("write", occupant.access)
     if objection:
         raise WriteError(f"{occupant.path} {objection}")
     if occupant.reserved:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from abc import ABC, abstractmethod
 
-from fieldspec.codec.explain.registers import Occupant
+from fieldspec.codec.explain.occupants import Occupant
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.language.behaviour.names import IN_USE, Names
 from fieldspec.language.behaviour.part import Behaviour

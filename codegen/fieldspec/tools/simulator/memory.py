@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from decimal import Decimal
 
-from fieldspec.codec.explain.registers import Occupant, base_of_table, count_of_occupant, element_number, occupants
+from fieldspec.codec.explain.occupants import Occupant, base_of_table, count_of_occupant, element_number, occupants
 from fieldspec.codec.explain.spans import Span
 from fieldspec.codec.explain.values import number_of
 from fieldspec.codec.layout.bases import at_usual_bases, moving_tables

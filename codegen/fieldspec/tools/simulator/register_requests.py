@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from fieldspec.codec.explain.registers import FORBIDS, Occupant
+from fieldspec.codec.explain.occupants import Occupant, forbidden_text
 from fieldspec.codec.layout.bits import packed_bits, unpacked_bits
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.foundation.classes import TYPE_CHECKING
@@ -127,7 +127,7 @@ def _judge(engine: Engine, space: str, address: int, place: int, operation: str)
     if all(engine.memory.is_absent(occupant) for occupant in present):
         raise Refusal("unknown_address", f"the device has not got {present[0].path}")
     for occupant in present:
-        objection = FORBIDS.get((operation, occupant.access))
+        objection = forbidden_text(operation, occupant.access)
         if objection:
             raise Refusal(f"{operation}_forbidden", f"{occupant.path} at 0x{address:04X} {objection}")
 

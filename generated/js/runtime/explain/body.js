@@ -1,292 +1,362 @@
-import { bitsText, extentsIn, fits, placeAround } from "../lists.js";
-import { extentsOf } from "../widths.js";
-import { decimalQuotient, decimalText, isWhole } from "./numbers.js";
+import { ACCEPTED, decodedRow, exponentApplied, repeatedValue } from "./values.js";
+import { ExplanationRow, factRow, surplusRow, wrongRow } from "./row.js";
+import { Message, extents } from "./layouts.js";
+import { Place, fieldProgram, runEach } from "./interpreter.js";
 import { SENTENCES } from "./sentences.js";
-import { missingText, sameValue, sentence, valueText } from "./texts.js";
-import { formOfData, formOfField } from "./device.js";
-import { runEach } from "./interpreter.js";
-import { decodedRow, exponentApplied, judged, meaningOf, repeatedValue } from "./values.js";
-import { factRow, surplusRow, wrongRow } from "./rows.js";
+import { errataAt } from "./device.js";
+import { missingText } from "./texts.js";
 import { withParameter } from "./parameters.js";
+import { withPercentages } from "./percentages.js";
+import { py } from "./python.js";
 
-/** The row of a field that carries a signal, with the percentages that its conversions give. */
-function withPercentages(device, row, field, number) {
-  if (!field.signal || field.value.kind === "float" || !isWhole(number)) return row;
-  const conversions = device.data.conversions.filter(({ signals }) => signals.includes(field.signal));
-  const meanings = conversions.map((conversion) => {
-    const { name, label, complement, full, references } = conversion;
-    const count = complement ? BigInt(full) - BigInt(number) : BigInt(number);
-    const percent = decimalText(decimalQuotient(100n * count, BigInt(full), 200), `100/${full}`);
-    return meaningOf(name, label, sentence(SENTENCES.PERCENTAGE, { percent, references }));
-  });
-  return meanings.length ? { ...row, meanings: [...row.meanings, ...meanings] } : row;
+/** The body of a frame, field by field. */
+
+/** The result of reading the bytes of a field. */
+class BodyTracedField {
+  constructor({ name, rows }) {
+    this.name = name;
+    this.rows = rows;
+  }
 }
 
 /**
- * The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes. `rows` and `values` go as
- * far as the bytes do. `asked` are the values of the request that the frame answers. `outer` is the message or the
- * record; its sources stand in for fields without their own.
+ * The body of a frame: the bytes of `data` from `start` to `end`, which `record` describes.
+ *
+ * `rows` and `values` go as far as the bytes do. `request_values` are the values of the request that the frame
+ * answers. `outer` is the message or the record; its sources stand in for fields without their own.
  */
-export class ExplainedBody {
-  constructor(device, record, outer, isRequest, data, start, end, spot, asked) {
-    Object.assign(this, { device, outer, isRequest, data, start, end, spot, asked });
-    this.record = formOfData(record, data.subarray(start, end)) ?? record;
-    this.values = new Map();
-    this.beside = new Map();
-    const { inner, spans } = this.record;
-    Object.assign(this, inner ? extentsIn(inner, data.subarray(start, end)) : { extents: [], fault: null });
-    // A scale may be after the value that it applies to, so all bytes are read before any row is written.
-    const traced = [...(spans ? this.tracedVarying() : this.traced())];
-    this.rows = this.explained(traced);
+export class Body {
+  constructor(layout, record, outer, data, start, end, spot, requestValues) {
+    [this.layout, this.outer, this.spot, this.asked] = [layout, outer, spot, requestValues];
+    [this.data, this.start, this.end] = [data, start, end];
+    this.record = py.either(record.ofData(py.slice(data, start, end)), () => record);
+    this.isRequest = outer instanceof Message && record.record === outer.request;
+    this.values = py.dict([]);
+    const inner = this.record.innerLists;
+    [this.extents, this.fault] = inner == null ? [[], null] : inner.extentsIn(py.slice(data, start, end));
+    this._rowsByName = py.dict([]);
+    const traced = py.truth(this.record.spans) ? this._tracedVarying() : this._traced();
+    this.rows = py.list(this._explained(py.list(traced)));
   }
 
-  explained(traced) {
-    const known = new Map(this.asked);
-    return traced.flatMap((part) => {
-      if (part.traced === undefined) return [part];
-      const rows = part.traced.map((row) => this.fieldRow(row, known));
-      if (this.values.has(part.name)) known.set(part.name, this.values.get(part.name));
-      return rows;
-    });
+  *_explained(traced) {
+    const known = py.dict(this.asked);
+    for (const part of traced) {
+      if (part instanceof ExplanationRow) {
+        yield part;
+        continue;
+      }
+      for (const row of part.rows) {
+        yield this._row(row, known);
+      }
+      if (py.has(this.values, part.name)) {
+        py.put(known, part.name, py.item(this.values, part.name));
+      }
+    }
   }
 
   /** The parts of a record in the order of the wire. */
-  *traced() {
-    const { inner } = this.record;
-    const fields = inner ? inner.sent.map((name) => this.record.named.get(name)) : this.record.fields;
-    let at = this.start;
-    let numberOfList = 0;
-    for (const [number, field] of fields.entries()) {
-      if (field.cases) {
-        yield this.undecidedRow(field, at);
+  *_traced() {
+    const [inner, fields] = [this.record.innerLists, this.record.sentFields];
+    let [offset, listNumber] = [this.start, 0];
+    for (const [number, field] of py.enumerate(fields)) {
+      if (py.truth(field.splitsRecord)) {
+        yield this._undecided(field, offset);
         return;
       }
-      if (inner?.lists.some(({ name }) => name === field.name)) {
-        if (numberOfList === this.extents.length) {
-          yield this.unknownListRow(fields.slice(number), inner.lists[numberOfList], at);
+      if (inner != null && py.truth(field.varies)) {
+        if (py.equal(listNumber, this.extents.length)) {
+          yield this._unknownList(py.slice(fields, number), py.item(inner.lists, listNumber), offset);
           return;
         }
-        const extent = this.extents[numberOfList++];
-        yield* this.tracedList(field, extent, at);
-        at += extent.size;
+        const extent = py.item(this.extents, listNumber);
+        listNumber += 1;
+        yield* this._list(field, extent, offset);
+        offset += extent.size;
         continue;
       }
-      const count = this.countOf(field);
-      const room = field.size ? Math.max(0, Math.min(count, Math.floor((this.end - at) / field.size))) : 0;
-      yield this.tracedField(field, at, new Array(room).fill(field.size));
-      at += room * field.size;
+      const count = this._count(field);
+      const room = py.truth(field.size) ? py.max(0, py.min(count, Math.floor((this.end - offset) / field.size))) : 0;
+      yield this._field(field, offset, py.repeated([field.size], room));
+      offset += room * field.size;
       if (room < count) {
-        yield this.missingRow(fields.slice(number), at);
+        yield this._missing(py.slice(fields, number), offset);
         return;
       }
     }
-    if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
+    if (offset < this.end) {
+      yield surplusRow(this.spot, offset, py.slice(this.data, offset, this.end));
+    }
   }
 
   /** The parts of a list that has other fields after it. */
-  *tracedList(field, { size, elements }, start) {
-    const [stop, count] = [start + size, this.itemsOf(field)];
-    yield this.tracedField(formOfField(this.record, field, this.values), start, elements.length ? elements : new Array(count).fill(field.size));
-    const end = elements.length || field.packing ? stop : start + count * field.size;
-    if (field.repeat && count < field.repeat[0]) yield this.missingRow([field], end, stop);
-    else if (end < stop) yield surplusRow(this.spot, end, this.data.subarray(end, stop));
+  *_list(field, extent, offset) {
+    const [stop, count] = [offset + extent.size, this._items(field)];
+    const sizes = py.either(extent.elements, () => py.repeated([field.size], count));
+    const form = this.record.decidedBy(this.values).named(field.name);
+    yield this._field(form, offset, sizes);
+    const end = field.packing != null ? stop : offset + py.sum(sizes);
+    if (field.field.repeat != null && count < field.field.repeat.low) {
+      yield this._missing([field], end, stop);
+    } else if (end < stop) {
+      yield surplusRow(this.spot, end, py.slice(this.data, end, stop));
+    }
   }
 
-  /** The row from a list on whose bytes nobody knows. */
-  unknownListRow(fields, list, at) {
-    const [{ name }] = fields;
-    const { decision, packing, parts, presence, countName, more } = list;
-    let { reason } = this.fault;
+  /** The row from the first list on whose bytes are not known. */
+  _unknownList(fields, inner, offset) {
     let text;
-    if (this.hasWrongCount(list)) {
-      text = sentence(SENTENCES.WRONG_COUNT, { count: countName, name });
-    } else if (decision && reason === "unknown_value") {
-      text = this.undecidedText(SENTENCES.UNDECIDED, decision.name, name);
-    } else if ((decision || more) && reason === "wrong_length") {
-      text = sentence(SENTENCES.MORE_FOLLOW, { name, count: this.fault.at - (at - this.start) });
-    } else if (parts && !parts.lists.length && reason === "wrong_measure") {
-      text = sentence(SENTENCES.MORE_ELEMENTS, { name, count: list.most / list.element });
-    } else if (packing && reason === "wrong_length") {
-      text = sentence(SENTENCES.MORE_THAN_BITS, { name, bits: packing.bits });
-    } else if (parts) {
-      text = sentence(SENTENCES.ELEMENTS_WITHOUT_END, { name, place: this.spot.byteText(this.start + this.fault.at) });
-    } else if (this.end - this.start < this.record.least) {
-      return this.missingRow(fields, at);
-    } else if (decision) {
-      text = sentence(SENTENCES.DECIDES_MORE, { selector: decision.name, name });
-    } else if (presence?.numbers) {
-      [reason, text] = ["incomplete", sentence(SENTENCES.SENT_WITHOUT_BYTES, { count: countName, name })];
+    let [name, reason] = [fields[0].name, this.fault.reason];
+    if (this._hasWrongCount(inner)) {
+      text = py.format(SENTENCES.WRONG_COUNT, { count: inner.count, name });
+    } else if (inner.decision != null && reason === "unknown_value") {
+      text = this._undecidedText(inner.decision.name, name);
+    } else if ((inner.decision != null || inner.continuation != null) && reason === "wrong_length") {
+      text = py.format(SENTENCES.MORE_FOLLOW, { name: inner.name, count: this.fault.at - (offset - this.start) });
+    } else if (inner.parts != null && !py.truth(inner.parts.lists) && reason === "wrong_measure") {
+      text = py.format(SENTENCES.MORE_ELEMENTS, { name: inner.name, count: Math.floor(inner.most / inner.element) });
+    } else if (inner.packing != null && reason === "wrong_length") {
+      text = py.format(SENTENCES.MORE_THAN_BITS, { name: inner.name, bits: inner.packing.number.bits });
+    } else if (inner.parts != null) {
+      const place = this.spot.byteText(this.start + this.fault.at);
+      text = py.format(SENTENCES.ELEMENTS_WITHOUT_END, { name, place });
+    } else if ((this.end - this.start) < this.record.least) {
+      return this._missing(fields, offset);
+    } else if (inner.decision != null) {
+      text = py.format(SENTENCES.DECIDES_MORE, { selector: inner.decision.name, name });
+    } else if (inner.presence != null && py.truth(inner.presence.numbers)) {
+      [reason, text] = ["incomplete", py.format(SENTENCES.SENT_WITHOUT_BYTES, { count: inner.count, name })];
     } else {
-      [reason, text] = ["incomplete", sentence(SENTENCES.COUNTS_MORE, { count: countName, name })];
+      [reason, text] = ["incomplete", py.format(SENTENCES.COUNTS_MORE, { count: inner.count, name })];
     }
-    return this.wrongRow(fields[0], at, reason, text);
+    return this._wrong(fields[0], offset, reason, text);
+  }
+
+  /** Whether the first list whose bytes are not known has an impossible count. */
+  _hasWrongCount(inner) {
+    const place = py.truth(this.record.innerLists) ? this.record.innerLists.placeInData(this.extents, inner.countAt) : 0;
+    const fault = this.fault;
+    return py.truth(inner.count) && fault != null && fault.reason === "wrong_measure" && py.equal(fault.at, place);
   }
 
   /** How many elements of a list of a record with fields after a list there are. */
-  itemsOf(field) {
-    const number = this.record.inner.lists.findIndex(({ name }) => name === field.name);
-    const { size, elements, numbers } = this.extents[number];
-    if (numbers !== undefined) return numbers;
-    return elements.length || this.record.inner.lists[number].parts ? elements.length : Math.min(Math.floor(size / field.size), field.repeat[1]);
-  }
-
-  /** Whether the first list whose bytes nobody knows has a count that cannot be right. */
-  hasWrongCount(list) {
-    if (!list.length || this.fault?.reason !== "wrong_measure") return false;
-    return this.fault.at === placeAround(this.record.inner, this.extents, list.at);
+  _items(field) {
+    const inner = this.record.innerLists;
+    const number = py.next([...py.enumerate(inner.lists)].filter(([number, innerList]) => innerList.name === field.name).map(([number, innerList]) => number));
+    const extent = py.item(this.extents, number);
+    if (py.item(inner.lists, number).packing != null) {
+      return extent.numbers;
+    }
+    return (py.truth(extent.elements) || py.item(inner.lists, number).parts != null) ? extent.elements.length : py.min(Math.floor(extent.size / field.size), field.bounds[1]);
   }
 
   /** The parts of a record whose values vary in width. */
-  *tracedVarying() {
-    const { fields, spans } = this.record;
-    const extents = extentsOf(spans, this.data.subarray(this.start, this.end));
-    let at = this.start;
-    for (const [number, { start, stop }] of extents.entries()) {
-      const field = fields[number];
-      const sizes = field.span ? [stop - start] : new Array(field.count ?? 0).fill(field.size);
-      yield this.tracedField(field, this.start + start, sizes);
-      at = this.start + stop;
+  *_tracedVarying() {
+    const fields = this.record.fields;
+    let offset = this.start;
+    const known = extents(this.record.spans, py.slice(this.data, this.start, this.end));
+    for (const [field, span, extent] of py.zip(fields, this.record.spans, known)) {
+      const sizes = span.value == null ? py.repeated([field.size], py.either(field.count, () => 0)) : [extent.stop - extent.start];
+      yield this._field(field, this.start + extent.start, sizes);
+      offset = this.start + extent.stop;
     }
-    const missing = fields[extents.length];
-    if (missing) yield this.wrongRow(missing, at, ...this.endless(spans[extents.length], at));
-    else if (at < this.end) yield surplusRow(this.spot, at, this.data.subarray(at, this.end));
+    if (known.length < fields.length) {
+      const [reason, text] = this._endless(known.length, offset);
+      yield this._wrong(py.item(fields, known.length), offset, reason, text);
+    } else if (offset < this.end) {
+      yield surplusRow(this.spot, offset, py.slice(this.data, offset, this.end));
+    }
   }
 
-  /** Why nobody knows where a field ends that begins at a byte, as a reason and in words. */
-  endless(span, at) {
-    if (span.count === undefined) return ["incomplete", sentence(SENTENCES.WITHOUT_END, span)];
-    const { name } = this.record.spans[span.count];
-    const count = Number(this.values.get(name)) - span.plus;
-    if (count >= 0 && count <= span.most) {
-      return ["incomplete", sentence(SENTENCES.FEWER_FOLLOW, { name: span.name, count, rest: this.end - at })];
+  /** The reason why the end of a field is not known, as the reason of a codec and in words. */
+  _endless(number, offset) {
+    const span = py.item(this.record.spans, number);
+    if (span.count == null || span.value == null) {
+      return ["incomplete", py.format(SENTENCES.WITHOUT_END, { name: span.name })];
     }
-    return ["wrong_measure", sentence(SENTENCES.WRONG_SIZE, { count: name, name: span.name })];
+    const count = py.item(this.values, py.item(this.record.spans, span.count).name);
+    if (py.isWhole(count) && 0 <= (count - span.plus) && (count - span.plus) <= span.value.width) {
+      const rest = this.end - offset;
+      return ["incomplete", py.format(SENTENCES.FEWER_FOLLOW, { name: span.name, count: count - span.plus, rest })];
+    }
+    const text = py.format(SENTENCES.WRONG_SIZE, { count: py.item(this.record.spans, span.count).name, name: span.name });
+    return ["wrong_measure", text];
   }
 
-  /** How many elements a field should have: as many as fit if their number is free. */
-  countOf(field) {
-    if (!field.repeat) return field.count ?? 0;
-    const [low, high] = field.repeat;
-    return Math.min(Math.max(Math.floor((this.end - this.start - field.offset) / field.size), low), high);
+  /** The number of elements that the field should have: all that fit if their number is free. */
+  _count(field) {
+    const repeat = field.field.repeat;
+    if (repeat == null) {
+      return py.either(field.count, () => 0);
+    }
+    const room = Math.floor((this.end - this.start - field.offset) / field.size);
+    return py.min(py.max(room, repeat.low), repeat.high);
   }
 
   /** The row of the place where the body, or the bytes up to `stop`, are not enough for fields. */
-  missingRow(fields, at, stop = this.end) {
+  _missing(fields, offset, stop = null) {
     const missing = this.record.least - (this.end - this.start);
-    const later = fields.map(({ name }) => name).join(", ");
-    return this.wrongRow(fields[0], at, "incomplete", missingText(missing, later), stop);
+    const later = py.join(", ", [...fields].map((other) => other.name));
+    return this._wrong(fields[0], offset, "incomplete", missingText(missing, later), stop);
   }
 
   /** The row of a field whose type is open, because the field that decides it has a value without a case. */
-  undecidedRow(field, at) {
-    const size = this.end - this.start;
-    const { least, most, selector } = this.record;
-    if (size < least) return this.missingRow(this.record.fields.slice(-1), at);
-    const isLong = most !== undefined && size > most;
-    const fault = isLong ? SENTENCES.UNDECIDED_TOO_LONG : SENTENCES.UNDECIDED;
-    const text = this.undecidedText(fault, selector, field.name, { count: size - most });
-    return this.wrongRow(field, at, isLong ? "wrong_length" : "unknown_value", text);
+  _undecided(field, offset) {
+    const [size, selector] = [this.end - this.start, this.record.selector];
+    if (size < this.record.least) {
+      return this._missing(py.slice(this.record.fields, -1), offset);
+    }
+    if (this.record.most == null || size <= this.record.most) {
+      return this._wrong(field, offset, "unknown_value", this._undecidedText(selector.name, field.name));
+    }
+    const text = py.format(SENTENCES.UNDECIDED_TOO_LONG, {
+      selector: selector.name,
+      number: py.repr(py.item(this.values, selector.name)),
+      name: field.name,
+      count: size - this.record.most,
+    });
+    return this._wrong(field, offset, "wrong_length", text);
   }
 
   /** That a field whose value has no case does not decide the type of another one. */
-  undecidedText(fault, selector, name, more) {
-    return sentence(fault, { selector, number: valueText(this.values.get(selector)), name, ...more });
+  _undecidedText(selector, name) {
+    return py.format(SENTENCES.UNDECIDED, { selector, number: py.repr(py.item(this.values, selector)), name });
   }
 
   /** The row of the rest of the body, or of the bytes up to `stop`, where a field is expected. */
-  wrongRow(field, at, reason, text, stop = this.end) {
-    const row = wrongRow(this.spot, at, this.data.subarray(at, stop), reason, text, field.name, field.path);
-    return { ...row, errata: this.device.errataAt(field.path) };
+  _wrong(field, start, reason, text, stop = null) {
+    const path = field.field.path;
+    const data = py.slice(this.data, start, stop == null ? this.end : stop);
+    const row = wrongRow(this.spot, start, data, reason, text, field.name, path);
+    return py.replace(row, { errata: errataAt(this.layout.device, path) });
   }
 
-  /** What the elements of one field gave, which have some sizes. Adds their values to `values`. */
-  tracedField(field, start, sizes) {
-    const traced = [];
-    const values = runEach(this.device, field, this.data, start, sizes, "", traced, this.beside);
-    if (field.isList) this.values.set(field.name, values);
-    else if (values.length) this.values.set(field.name, values[0]);
-    return { name: field.name, traced };
+  /**
+   * The result of reading the elements of one field, which have the given sizes. Adds their values
+   * to `values`.
+   */
+  _field(field, start, sizes) {
+    const rows = [];
+    const program = fieldProgram(this.layout.device, this.record, field);
+    const values = runEach(program, new Place(this.data, start, this.end), sizes, rows, this._rowsByName);
+    if (field.isList) {
+      py.put(this.values, field.name, values);
+    } else if (py.truth(values)) {
+      py.put(this.values, field.name, values[0]);
+    }
+    return new BodyTracedField({ name: field.name, rows });
   }
 
-  /** The row of what some bytes gave; `known` are the values of the fields before it, and those of the request. */
-  fieldRow(traced, known) {
-    const { field, path, index, offset, raw, number, beside } = traced;
-    const exponent = beside.get(field.exponent);
-    const value = exponent ? exponentApplied(field.value, exponent.field.value, exponent.number) : field.value;
-    let read = decodedRow(this.device, value, traced);
-    if (beside === this.beside) read = this.deciding(field, this.measured(field, this.repeated(field, read)));
-    let row = factRow(this.device, "field", path, field, this.spot, offset, raw, read, this.outer);
-    row = withParameter(this.device, row, field, index, known, this.outer, this.isRequest);
-    return withPercentages(this.device, row, field, number);
+  /** The row of what some bytes gave; `known` are the values of the fields before it and of the request. */
+  _row(row, known) {
+    let [device, field, value] = [this.layout.device, row.variable.field, row.variable.value];
+    const exponent = row.rowsBeside.get(row.variable.exponent);
+    if (exponent != null) {
+      value = exponentApplied(value, exponent.variable.value, exponent.number);
+    }
+    let read = decodedRow(device, row, value);
+    if (row.rowsBeside === this._rowsByName) {
+      read = this._deciding(field, this._measured(field, this._repeated(field, read)));
+    }
+    let explained = factRow(device, "field", row.path, field.field, this.spot, row.offset, row.raw, read, this.outer);
+    explained = withParameter(device, explained, field, row.index, known, this.outer, this.isRequest);
+    return withPercentages(device, explained, field, row.number);
   }
 
   /** The value of a field that measures another one, judged by the size of that field. */
-  measured(field, read) {
-    const [of, name, plus = 0] = field.measures ?? [];
-    const other = this.record.named.get(field.bitsOf ?? name);
-    if (!other || other.cases) return read;
-    const { inner, spans } = this.record;
-    const text = spans?.find((span) => span.name === name && span.count !== undefined);
-    const list = inner?.lists.findIndex((own) => own.name === name) ?? -1;
-    const room = this.end - this.start - other.offset;
-    const numberOf = (items) => (of === "bytes" ? items * other.size : items) + plus;
-    let [low, high] = [0, 0];
-    if (field.bitsOf) {
-      high = 8 * Math.max(0, Math.min(this.countOf(other), room));
-      low = Math.max(0, high - 7);
-    } else if (text) {
-      [low, high] = [plus, text.most + plus];
-    } else if (list >= 0) {
-      if (list >= this.extents.length) return this.wrongCount(inner.lists[list], field, read);
-      low = high = countsSent(inner.lists[list], field) ? this.extents[list].size + plus : numberOf(this.itemsOf(other));
-    } else {
-      const most = spans ? this.countOf(other) : this.itemsAtEnd(other);
-      low = high = numberOf(other.isList ? most : 1);
+  _measured(field, read) {
+    let high, low;
+    const measure = field.field.measures;
+    const other = this.record.named(py.either(field.bitsOf, () => (measure != null ? measure.field : "")));
+    if (other == null || py.truth(other.splitsRecord)) {
+      return read;
     }
-    return judged(read, isWhole(read.number) && low <= read.number && read.number <= high, low === high ? low : sentence(SENTENCES.BOUNDS, { low, high }), "wrong_measure");
+    const inner = this.record.innerLists;
+    const span = py.next([...this.record.spans].filter((span) => span.name === other.name && span.count != null), null);
+    const room = this.end - this.start - other.offset;
+    if (py.truth(field.bitsOf)) {
+      let size = py.max(0, py.min(this._count(other), room));
+      [low, high] = size ? [8 * size - 7, 8 * size] : [0, 0];
+    } else if (measure == null) {
+      return read;
+    } else if (span != null && span.value != null) {
+      [low, high] = [span.plus, span.value.width + span.plus];
+    } else if (inner != null && py.truth(other.varies)) {
+      const number = py.next([...py.enumerate(inner.lists)].filter(([number, innerList]) => innerList.name === other.name).map(([number, innerList]) => number));
+      if (number >= this.extents.length) {
+        return this._wrongCount(py.item(inner.lists, number), field, read);
+      }
+      let size = py.truth(field.countsSent) ? py.item(this.extents, number).size : this._items(other) * other.size;
+      low = measure.of === "bytes" ? (size + measure.plus) : measure.number(this._items(other), 1);
+      high = low;
+    } else {
+      let items = other.isList ? this._itemsAtEnd(other) : 1;
+      items = py.truth(this.record.spans) ? py.either(other.count, () => 0) : items;
+      low = measure.number(items, other.size);
+      high = low;
+    }
+    const isRight = py.isWhole(read.number) && low <= read.number && read.number <= high;
+    const expected = py.equal(low, high) ? low : py.format(SENTENCES.BOUNDS, { low, high });
+    return read.judged(isRight, expected, "wrong_measure");
   }
 
   /** How many elements of a list that ends the body there are. */
-  itemsAtEnd(field) {
-    return Math.max(0, Math.min(this.countOf(field), Math.floor((this.end - this.start - field.offset) / field.size)));
+  _itemsAtEnd(field) {
+    return py.max(0, py.min(this._count(field), Math.floor((this.end - this.start - field.offset) / field.size)));
   }
 
   /** The value of a field whose bits say how many elements others have, judged by how many they have. */
-  deciding(field, read) {
+  _deciding(field, read) {
     for (const other of this.record.fields) {
-      const { presence, name } = other;
-      if ((read.reason && read.reason !== "out_of_range") || presence?.by !== field.name || !isWhole(read.number)) continue;
-      const known = this.record.inner?.lists.findIndex((list) => list.name === name) ?? -1;
-      if (known === this.extents.length) read = this.wrongCount(this.record.inner.lists[known], field, read);
-      if (known >= this.extents.length) continue;
-      const items = this.record.inner ? this.itemsOf(other) : this.itemsAtEnd(other);
-      if (!fits(presence, read.number, items)) {
-        const isSent = sentence(items ? SENTENCES.NUMBER_IF_SENT : SENTENCES.NUMBER_IF_ABSENT, other);
-        const count = bitsText(presence, items * presence.unit + presence.plus);
-        return judged(read, false, presence.numbers ? isSent : count, "wrong_measure");
+      const [presence, number] = [other.presence, read.number];
+      if (presence == null || presence.by !== field.name) {
+        continue;
+      }
+      if (!py.has(ACCEPTED, read.reason) || !py.isWhole(number)) {
+        continue;
+      }
+      const items = this.record.innerLists == null ? this._itemsAtEnd(other) : this._itemsIfKnown(other);
+      if (items == null && this.record.innerLists != null) {
+        const unknown = py.item(this.record.innerLists.lists, this.extents.length);
+        read = unknown.name === other.name ? this._wrongCount(unknown, field, read) : read;
+      } else if (items != null && !py.truth(presence.fits(number, items))) {
+        let expected = presence.bitsText(items * presence.unit + presence.plus);
+        if (py.truth(presence.numbers)) {
+          const isSent = py.truth(items) ? SENTENCES.NUMBER_IF_SENT : SENTENCES.NUMBER_IF_ABSENT;
+          expected = py.format(isSent, { name: other.name });
+        }
+        return read.judged(false, expected, "wrong_measure");
       }
     }
     return read;
   }
 
+  /** How many elements a list with fields after it has, None where its end is not known. */
+  _itemsIfKnown(field) {
+    const names = [...py.slice(this.record.innerLists.lists, undefined, this.extents.length)].map((inner) => inner.name);
+    return py.has(names, field.name) ? this._items(field) : null;
+  }
+
   /** The value of a field, which is wrong if the bytes of the list are not known because of its number. */
-  wrongCount(list, field, read) {
-    const { countName, least, most, unit, plus = 0, presence, sentPlus } = list;
-    if (countName !== field.name || !this.hasWrongCount(list)) return read;
-    const [low, high] = [least, most].map((size) => Math.floor(size / unit) + plus);
-    const bounds = sentence(SENTENCES.BOUNDS, { low, high });
-    const expected = sentPlus === undefined ? bounds : sentence(SENTENCES.SIZE_OF_LIST, list);
-    return judged(read, false, presence ? bitsText(presence, expected) : expected, "wrong_measure");
+  _wrongCount(inner, field, read) {
+    if (inner.count !== field.name || !this._hasWrongCount(inner)) {
+      return read;
+    }
+    const [low, high] = [Math.floor(inner.least / inner.unit) + inner.plus, Math.floor(inner.most / inner.unit) + inner.plus];
+    let expected = py.format(SENTENCES.BOUNDS, { low, high });
+    if (inner.sentPlus != null) {
+      expected = py.format(SENTENCES.SIZE_OF_LIST, { name: inner.name });
+    }
+    expected = inner.presence == null ? expected : inner.presence.bitsText(expected);
+    return read.judged(false, expected, "wrong_measure");
   }
 
   /** The value of a field that repeats one of the request, judged by the value there. */
-  repeated(field, read) {
-    const should = field.sameAs ? this.asked.get(field.sameAs) : undefined;
-    return read.reason || should === undefined ? read : repeatedValue(read, should, field.value.kind === "float" ? field.value.size : 0);
+  _repeated(field, read) {
+    const expected = this.asked.get(field.field.sameAs);
+    if (read.reason || expected == null) {
+      return read;
+    }
+    return repeatedValue(read, expected, field.value);
   }
-}
-
-/** Whether a field counts the sent bytes of a list. */
-function countsSent({ sentPlus, countName }, field) {
-  return sentPlus !== undefined && countName === field.name;
 }

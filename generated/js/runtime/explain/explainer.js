@@ -1,13 +1,13 @@
 import { ExplainedDevice } from "./device.js";
-import { explanationData, reasonsOf } from "./explanation.js";
-import { DIRECTIONS, FrameOptions, isWrong, readFrame, remarksOn } from "./readings.js";
+import { explanationData } from "./explanation.js";
+import { DIRECTIONS, FrameOptions, readFrame, remarksOn } from "./readings.js";
 import { logLine, Unreadable } from "./lines.js";
 import { linesOf, LogReader } from "./log.js";
 import { SENTENCES } from "./sentences.js";
 
 /** The options of frames by the names that a device uses. Throws RangeError for names that it does not have. */
 export function frameOptions(device, { link, direction, message } = {}) {
-  if (!link && !direction && !message) return new FrameOptions();
+  if (!link && !direction && !message) return new FrameOptions({});
   let links = [...device.links.values()];
   if (link) links = links.filter(({ name }) => name === link);
   if (!links.length) throw new RangeError(`${link} is not a link of ${device.data.device}: ${[...device.links.keys()].join(", ")}`);
@@ -20,7 +20,7 @@ export function frameOptions(device, { link, direction, message } = {}) {
     .filter((way) => !direction || directionNames[way] === direction || (way === direction && !isName(directionNames, direction)))
     .map((way) => [name, way]));
   if (!places.length) throw new RangeError(`${direction} is not a direction of ${links.map(({ name }) => name).join(" or ")}`);
-  return new FrameOptions(places, message ?? "");
+  return new FrameOptions({ places, message: message ?? "" });
 }
 
 function isName(directionNames, direction) {
@@ -30,7 +30,7 @@ function isName(directionNames, direction) {
 /** The frame of bytes or of a text. Throws Unreadable. */
 function inputFrame(device, input) {
   if (input instanceof Uint8Array) return { frame: input, direction: "", remarks: [] };
-  const line = logLine(String(input), [...device.links.values()]);
+  const line = logLine(String(input), device.links.values());
   if (!line?.frame.length) throw new Unreadable(SENTENCES.NO_BYTES);
   return line;
 }
@@ -42,9 +42,9 @@ function inputFrame(device, input) {
 export function namedRequest(device, input, options) {
   if (!input) return null;
   const places = [...device.links.keys()].map((link) => [link, "request"]).filter(([link]) => options.goes(link, "response"));
-  const request = readFrame(device, inputFrame(device, input).frame, new FrameOptions(places, options.message));
-  const faults = reasonsOf(request.explanation);
-  if (isWrong(request) && (faults.length !== 1 || faults[0] !== "unknown_code")) {
+  const request = readFrame(device, inputFrame(device, input).frame, new FrameOptions({ places, message: options.message }));
+  const faults = request.explanation.reasons;
+  if (request.wrong && (faults.length !== 1 || faults[0] !== "unknown_code")) {
     throw new RangeError(`request is not a valid request of ${device.data.device}: ${faults.join(", ")}`);
   }
   return { request: request.explanation, sure: true };
@@ -64,7 +64,7 @@ export function explainer(data) {
     const line = inputFrame(device, input);
     const reading = readFrame(device, line.frame, allowed, line.direction, asked);
     const remarks = [...line.remarks, ...remarksOn(device, reading, 0, allowed)];
-    return explanationData(device, reading.explanation, reading.readings, reading.chosen, remarks, isWrong(reading));
+    return explanationData(device, reading.explanation, reading.readings, reading.chosen, remarks, reading.wrong);
   }
 
   /** The explanations of the lines of a log; `error` says why a line is not a frame. Throws like `explain` for options. */

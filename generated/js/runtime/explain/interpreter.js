@@ -2,7 +2,7 @@ import { bitsOfWhole, realOfBits, wholeOfBits } from "../number_bits.js";
 import { decodedText } from "../encodings.js";
 import { digitsNumber } from "../digit_texts.js";
 import { extentsIn, packedPlace, unpackedNumber } from "../lists.js";
-import { formOfField } from "./device.js";
+import { formOfField } from "./layouts.js";
 import { widenedBytes } from "../widths.js";
 
 /** The bytes up to which a whole number is not a bigint. */
@@ -73,6 +73,9 @@ export function contentOf(value, bytes) {
   }
 }
 
+/** The raw value of all bytes of a value; bytes that are not the digits of a number, as bytes. */
+export const numberOf = (value, bytes) => contentOf(value, bytes) ?? bytes;
+
 /** What a reader gets for a content: a truth value as such, and the bytes of what has none. */
 function numberOfContent({ value, reserved }, content, raw, image) {
   if (content === null || (reserved && value.kind === "text")) return image ?? raw;
@@ -101,12 +104,12 @@ function run(device, record, parts, data, start, stop, path, rows) {
   const beside = new Map();
   let at = start;
   for (const name of record.inner?.sent ?? record.fields.map((field) => field.name)) {
-    const field = formOfField(record, record.named.get(name), values);
+    const field = formOfField(record, record.named(name), values);
     const isOpen = field.span || field.count === undefined;
     const { size, elements, numbers } = byName.get(name) ?? { size: isOpen ? stop - at : field.size * field.count, elements: [] };
     const count = numbers ?? field.count ?? Math.floor(size / field.size);
     const all = field.isList ? new Array(count).fill(field.size) : [size];
-    const contents = runEach(device, field, data, at, elements.length ? elements : all, path, rows, beside);
+    const contents = runElements(device, field, data, at, elements.length ? elements : all, path, rows, beside);
     values.set(name, field.isList ? contents : contents[0]);
     at += size;
   }
@@ -117,7 +120,7 @@ function run(device, record, parts, data, start, stop, path, rows) {
  * The contents of the elements of a field, which follow each other from `start` on and have some sizes. Adds what gave
  * them to `rows`, and to `beside`, those of the same record by the names of their fields.
  */
-export function runEach(device, field, data, start, sizes, path, rows, beside) {
+function runElements(device, field, data, start, sizes, path, rows, beside) {
   let stop = start;
   return sizes.map((size, index) => {
     const offset = stop;
@@ -126,7 +129,9 @@ export function runEach(device, field, data, start, sizes, path, rows, beside) {
     const record = field.record && device.records.get(field.record);
     if (record) return run(device, record, field.parts, data, offset, stop, `${own}.`, rows);
     const [first, last] = field.packing ? packedPlace(field.packing, index).map((at) => start + at) : [offset, stop];
-    const row = { ...loaded(field, data.subarray(first, last), index), path: own, index, offset: first, beside };
+    const variable = { field, value: field.value, exponent: field.exponent };
+    const { raw, image, content, number } = loaded(field, data.subarray(first, last), index);
+    const row = { field, raw, image, content, number, variable, path: own, index, offset: first, rowsBeside: beside };
     if (index * (field.packing?.bits ?? 0) % 8) {  // the row of the number before it has the byte that both share
       row.raw = row.raw.subarray(1);
       row.offset++;
@@ -135,4 +140,19 @@ export function runEach(device, field, data, start, sizes, path, rows, beside) {
     beside.set(field.name, row);
     return row.number;
   });
+}
+
+/** Some bytes of data. */
+export class Place {
+  constructor(data, start, stop) {
+    Object.assign(this, { data, start, stop });
+  }
+}
+
+/** What reads a field of a record. */
+export const fieldProgram = (device, record, field) => ({ device, field });
+
+/** The contents of the elements of a field at a place, as `runElements` has them. */
+export function runEach({ device, field }, { data, start }, sizes, rows, rowsBeside) {
+  return runElements(device, field, data, start, sizes, "", rows, rowsBeside);
 }

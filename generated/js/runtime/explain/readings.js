@@ -1,364 +1,376 @@
-import { codeIn, isAmbiguous, partNumberText } from "./device.js";
-import { isWhole } from "./numbers.js";
+import { BIT, optionText, packedSize } from "./layouts.js";
 import { SENTENCES } from "./sentences.js";
-import { byteCount, enumeration, hexOf, sentence } from "./texts.js";
-import { explained, namesOfLength, reasonsOf } from "./explanation.js";
+import { boundsText, sizeText } from "./frame_sizes.js";
+import { closest, lengths, recognised } from "./recognition.js";
+import { examplesOfBytes } from "./device.js";
+import { explained } from "./explanation.js";
 import { faultOf } from "./values.js";
+import { py } from "./python.js";
+
+/** Chooses what a frame is, its link, direction and message, and says how certain that is. */
 
 export const DIRECTIONS = ["request", "response"];
 
-const OF_VALUES = ["unknown_value", "wrong_const", "wrong_measure"];
-// The frame carries no code, so its message is a guess. That is not a fault, but a broken frame needs better evidence.
-const GUESSED = "guessed";
-// The faults that a reading may have. The readings of the first step that any of them passes are the result.
-const FITTING = [[GUESSED], [...OF_VALUES, GUESSED]].map((reasons) => new Set(reasons));
-const CLOSE = [
-  ...FITTING,
-  new Set([...OF_VALUES, "wrong_checksum", GUESSED]),
-  new Set([...OF_VALUES, "wrong_checksum", "wrong_length", "incomplete"]),
-];
-
-/**
- * The readings of a frame that fit, in the order of the spec: link, direction, message, and whether it is an exception
- * response. With `close`, else those with a wrong checksum, else those with a wrong length too.
- */
-export function readingsOf(device, frame, close = false) {
-  const faults = new Map();
-  for (const link of device.links.values()) {
-    for (const direction of DIRECTIONS) {
-      for (const message of candidatesOf(link, direction, frame, close)) {
-        const explanation = explained(device, link.name, direction, frame, message);
-        const reading = readingOf(explanation);
-        const key = JSON.stringify(reading);
-        if (faults.has(key) || (message && explanation.error)) continue;
-        faults.set(key, { reading, reasons: [...reasonsOf(explanation), ...(message ? [GUESSED] : [])] });
-      }
-    }
-  }
-  for (const accepted of close ? CLOSE : FITTING) {
-    const fitting = [...faults.values()]
-      .filter(({ reading, reasons }) => reasons.every((reason) => accepted.has(reason)) && (reading[2] || reading[3]));
-    if (fitting.length) return fitting.map(({ reading }) => reading);
-  }
-  return [];
-}
-
-/** The names of the messages that a frame may be; the empty one leaves it to the code in the frame. */
-function candidatesOf(link, direction, frame, close) {
-  const coded = Boolean(link[direction].code);
-  if (coded && (direction === "request" || !link.ambiguous)) return [""];
-  const names = close ? [...link.carriedMessages[direction].keys()] : namesOfLength(link, direction, frame);
-  // An exception response says what it is, and not which message it answers.
-  if (!coded) return direction === "response" && link.exception ? [...names, ""] : names;
-  const several = link.ambiguous.flatMap((code) => link.messagesByCode[direction].get(code).map(({ name }) => name));
-  return ["", ...several.filter((name) => names.includes(name))];
-}
-
-/** Whether a frame does not tell that it is one of a message: it carries no code, or an ambiguous one. */
-function isGuessed(device, link, direction, message) {
-  return !link[direction].code || isAmbiguous(link, direction, codeIn(direction, device.messages.get(message)));
-}
-
-/** The reading of an explanation. */
-export function readingOf({ link, direction, message, error }) {
-  return [link, direction, message, error];
-}
-
-function explainedReading(device, frame, [link, direction, message]) {
-  return explained(device, link, direction, frame, message);
-}
-
-/** What the user says about the frames: `places` are links and directions; what is empty is open. */
+/** The options of the user about frames. `places` are links and directions; an empty option leaves all open. */
 export class FrameOptions {
-  constructor(places = [], message = "") {
-    Object.assign(this, { places, message });
+  constructor({ places = [], message = "" }) {
+    this.places = places;
+    this.message = message;
   }
 
-  allows([link, direction, message]) {
+  /** Whether a reading agrees with the options. */
+  allows(reading) {
+    const [link, direction, message, ] = reading;
     return this.goes(link, direction) && (!this.message || this.message === message);
   }
 
+  /** Whether the options allow a direction on a link. */
   goes(link, direction) {
-    return !this.places.length || this.places.some(([other, way]) => other === link && way === direction);
+    return !py.truth(this.places) || py.has(this.places, [link, direction]);
   }
 
-  allowsDirection(direction) {
-    return !this.places.length || this.places.some(([, way]) => way === direction);
+  /** The directions that the options allow. */
+  get directions() {
+    return py.truth(this.places) ? py.frozenset([...this.places].map(([, direction]) => direction)) : py.frozenset(DIRECTIONS);
+  }
+}
+
+/** The request that the next response answers. `sure` if the user has named it. */
+export class OpenRequest {
+  constructor({ request, sure }) {
+    this.request = request;
+    this.sure = sure;
   }
 }
 
 /**
- * The explanation of a frame under the reading that is chosen, and all readings that fit. `mark` is the direction that
- * a log tells, which may be wrong. `asked` has the explanation of the request that a response answers, and is `sure` if
- * the user has named it. `chosen` says why: it is the `only` one that fits; the `request` before it or a `mark` decided
- * between several; nothing did, and it is the `likeliest`; none fits, and it is the `closest`.
+ * The explanation of a frame under the chosen reading.
+ *
+ * `readings` are all readings that fit, none if the frame is wrong under all of them. `chosen` says why this reading
+ * is explained: it is the `only` one that fits; the `request` before it or a `mark` in the log decided between
+ * several; nothing did, and it is the `likeliest`; none fits, and it is the `closest`.
+ * `mismatches` say where a response does not fit its request.
  */
-export function readFrame(device, frame, options, mark = "", asked = null) {
-  const answer = asked && options.allowsDirection("response") ? answerOf(device, frame, asked.request) : null;
-  if (answer) {
-    if (asked.sure || (mark !== "request" && !isWrong(answer))) return answer;
+export class ChosenReading {
+  constructor({ explanation, readings, chosen, mismatches = [] }) {
+    this.explanation = explanation;
+    this.readings = readings;
+    this.chosen = chosen;
+    this.mismatches = mismatches;
   }
-  const fitting = readingsOf(device, frame)
-    .map((reading) => namedByExample(reading, exampleReadings(device, frame)))
-    .map((reading) => namedByOption(device, frame, reading, options))
-    .filter((reading) => options.allows(reading));
-  if (!fitting.length) {
-    const near = closestReading(device, frame, options, mark);
-    // What a log marks as a response, and what is near a request only, is a wrong answer to the request before it.
-    return answer && mark === "response" && near.explanation.direction !== mark ? answer : near;
+
+  /** Whether a codec refuses the frame, or a response does not fit its request. */
+  get wrong() {
+    return py.truth(py.either(this.explanation.reasons, () => this.mismatches)) || !py.truth(this.readings);
   }
-  const examples = exampleKeys(device, frame);
-  const doubts = new Map(fitting.map((reading) => [reading, doubtsOf(device, reading, mark, examples)]));
-  fitting.sort((left, right) => comparedLists(doubts.get(left), doubts.get(right)));
-  const marked = fitting.filter(([, direction]) => direction === mark);
+
+  /** The other readings that fit. */
+  get alternatives() {
+    const own = readingOf(this.explanation);
+    return [...this.readings].filter((reading) => !py.equal(reading, own));
+  }
+}
+
+/** The explanation of a frame. `mark` is the direction that a log tells, which may be wrong. */
+export function readFrame(layout, frame, options, mark = "", openRequest = null) {
+  const answer = (openRequest != null && py.has(options.directions, "response")) ? readingsAnswer(layout, frame, openRequest) : null;
+  if (openRequest != null && answer != null && (openRequest.sure || (mark !== "request" && !answer.wrong))) {
+    return answer;
+  }
+  const examples = readingsExamples(layout, frame);
+  const readings = [...recognised(layout, frame)].map((reading) => readingsNamedByExample(reading, examples));
+  const namedReadings = [...readings].map((reading) => readingsNamedByOption(layout, frame, reading, options));
+  let fitting = [...namedReadings].filter((reading) => options.allows(reading));
+  if (!py.truth(fitting)) {
+    const closestReading = readingsClosest(layout, frame, options, mark);
+    const isAnswer = mark === "response" && closestReading.explanation.direction !== mark;
+    return (answer != null && isAnswer) ? answer : closestReading;
+  }
+  fitting = py.sorted(fitting, (reading) => readingsDoubts(layout, reading, mark, examples));
+  const marked = [...fitting].filter((reading) => reading[1] === mark);
   const chosen = fitting.length === 1 ? "only" : marked.length === 1 ? "mark" : "likeliest";
-  const mismatches = answer && chosen !== "likeliest" ? unrepeated(answer, fitting[0]) : [];
-  return { explanation: explainedReading(device, frame, fitting[0]), readings: fitting, chosen, mismatches };
+  const mismatches = (answer != null && chosen !== "likeliest") ? readingsUnrepeated(answer, fitting[0]) : [];
+  return new ChosenReading({
+    explanation: readingsExplained(layout, frame, fitting[0]),
+    readings: py.tuple(fitting),
+    chosen,
+    mismatches,
+  });
 }
 
-/** What a response does not repeat of the request before it, where nothing else shows that it answers another. */
-function unrepeated({ explanation, mismatches }, reading) {
-  const own = readingOf(explanation);
-  if (reasonsOf(explanation).length || reading.some((value, at) => value !== own[at])) return [];
-  return mismatches.every((text) => text.includes(SENTENCES.NOT_REPEATED)) ? mismatches : [];
-}
-
-/** Whether a codec refuses the frame, or a response does not fit its request. */
-export function isWrong({ explanation, readings, mismatches }) {
-  return Boolean(reasonsOf(explanation).length || mismatches.length || !readings.length);
+/**
+ * The parts of the request before it that a response does not repeat, unless the response clearly answers another
+ * request.
+ */
+function readingsUnrepeated(answer, reading) {
+  if (py.truth(answer.explanation.reasons) || !py.equal(readingOf(answer.explanation), reading)) {
+    return [];
+  }
+  const only = [...answer.mismatches].every((text) => py.has(text, SENTENCES.NOT_REPEATED));
+  return only ? answer.mismatches : [];
 }
 
 /** The readings of the examples that have exactly these bytes. */
-function exampleReadings(device, frame) {
-  return device.readingsOf.get(hexOf(frame)) ?? [];
-}
-
-function exampleKeys(device, frame) {
-  return new Set(exampleReadings(device, frame).map((reading) => JSON.stringify(reading)));
+function readingsExamples(layout, frame) {
+  return [...examplesOfBytes(layout.device, frame)].filter((example) => py.equal(example.frame, frame)).map((example) => [example.link, example.direction, example.message, example.exceptionResponse]);
 }
 
 /** A reading, with the message of an example where it is an exception response to one of several messages. */
-function namedByExample(reading, examples) {
+function readingsNamedByExample(reading, examples) {
   const [link, direction, message, error] = reading;
-  if (message || !error) return reading;
-  const example = examples.find(([ownLink, way, , isError]) => ownLink === link && way === direction && isError);
-  return example ?? reading;
+  if (py.truth(message) || !py.truth(error)) {
+    return reading;
+  }
+  return py.next([...examples].filter((other) => py.equal(py.slice(other, undefined, 2), [link, direction]) && py.truth(other[3])), reading);
 }
 
-/** A reading, with the message of the options where it is an exception response that does not say what it answers. */
-function namedByOption(device, frame, reading, options) {
+/** A reading, with the message of the options if it is an exception response that does not say what it answers. */
+function readingsNamedByOption(layout, frame, reading, options) {
   const [link, direction, message, error] = reading;
-  if (message || !error || !options.message) return reading;
-  const named = readingOf(explained(device, link, direction, frame, options.message));
-  return named[2] === options.message && named[3] ? named : reading;
+  if (py.truth(message) || !py.truth(error) || !options.message) {
+    return reading;
+  }
+  const optionReading = readingOf(explained(layout, link, direction, frame, options.message));
+  return (optionReading[2] === options.message && py.truth(optionReading[3])) ? optionReading : reading;
+}
+
+/** The reading of an explanation. */
+export function readingOf(explanation) {
+  return [explanation.link, explanation.direction, explanation.message, explanation.error];
+}
+
+function readingsExplained(layout, frame, reading) {
+  const [link, direction, message, ] = reading;
+  return explained(layout, link, direction, frame, message);
 }
 
 /**
- * What speaks against a reading, the gravest first: the mark in the log, that no example is such a frame, that the
- * message is a guess, and that its length may be any.
+ * The doubts about a reading, the gravest first.
+ *
+ * These are the mark in the log, that no example is such a frame, that the message is a guess, and that its length may
+ * be any.
  */
-function doubtsOf(device, reading, mark, examples) {
+function readingsDoubts(layout, reading, mark, examples) {
   const [link, direction, message, error] = reading;
-  const guessed = !error && isGuessed(device, device.links.get(link), direction, message);
-  const loose = guessed && Boolean(message) && device.messages.get(message)[direction].size === undefined;
-  return [mark !== "" && direction !== mark, !examples.has(JSON.stringify(reading)), guessed, loose].map(Number);
-}
-
-function comparedLists(left, right) {
-  const at = left.findIndex((number, place) => number !== right[place]);
-  return at < 0 ? 0 : left[at] - right[at];
+  const guessed = !py.truth(error) && py.item(layout.links, link).isGuessed(direction, message);
+  const loose = guessed && py.truth(message) && py.item(layout.messages, message).data(direction).size == null;
+  return [py.truth(mark) && direction !== mark, !py.has(examples, reading), guessed, loose];
 }
 
 /** The reading with the fewest faults. */
-function closestReading(device, frame, options, mark) {
-  let near = readingsOf(device, frame, true)
-    .map((reading) => namedByOption(device, frame, reading, options))
-    .filter((reading) => options.allows(reading));
-  if (!near.length) {
-    const places = [...device.links.keys()].flatMap((link) => DIRECTIONS.map((direction) => [link, direction]))
-      .filter(([link, direction]) => options.goes(link, direction));
-    const carrying = places.filter(([link, direction]) => device.links.get(link).carriedMessages[direction].has(options.message));
-    // Nobody sends a request on a link whose messages come from the device alone.
-    const sending = places.filter(([link, direction]) => device.links.get(link).carriedMessages[direction].size);
-    near = [carrying, sending, places].find((some) => some.length).map((place) => [...place, options.message, false]);
+function readingsClosest(layout, frame, options, mark) {
+  let reading;
+  const namedReadings = [...closest(layout, frame)].map((reading) => readingsNamedByOption(layout, frame, reading, options));
+  let candidates = [...namedReadings].filter((reading) => options.allows(reading));
+  if (!py.truth(candidates)) {
+    const places = [...layout.links].flatMap((link) => [...DIRECTIONS].filter((direction) => options.goes(link, direction)).map((direction) => [link, direction]));
+    const carrying = [...places].filter(([link, direction]) => py.has(py.item(layout.links, link).carried(direction), options.message));
+    const sending = py.either(carrying, () => [...places].filter(([link, direction]) => py.truth(py.item(layout.links, link).carried(direction))));
+    candidates = [...py.either(sending, () => places)].map(([link, direction]) => [link, direction, options.message, false]);
   }
-  const examples = exampleKeys(device, frame);
-  const faultsOf = (reading) => {
-    const reasons = reasonsOf(explainedReading(device, frame, reading));
-    const marks = reasons.filter((reason) => reason === "wrong_mark" || reason === "not_hex").length;
-    return [marks, ...doubtsOf(device, reading, mark, examples), reasons.length];
-  };
-  const ranked = near.map((reading) => ({ reading, faults: faultsOf(reading) }));
-  ranked.sort((left, right) => comparedLists(left.faults, right.faults));
-  return { explanation: explainedReading(device, frame, ranked[0].reading), readings: [], chosen: "closest", mismatches: [] };
+  const examples = readingsExamples(layout, frame);
+  reading = py.min(candidates, (own) => readingsFaults(layout, frame, own, readingsDoubts(layout, own, mark, examples)));
+  return new ChosenReading({
+    explanation: readingsExplained(layout, frame, reading),
+    readings: [],
+    chosen: "closest",
+  });
+}
+
+/** What makes a reading of a wrong frame less close than others. */
+function readingsFaults(layout, frame, reading, doubts) {
+  const reasons = readingsExplained(layout, frame, reading).reasons;
+  return [py.sum([...reasons].map((reason) => py.has(["wrong_mark", "not_hex"], reason))), doubts, reasons.length];
 }
 
 /** The explanation of a frame as the response to a request. */
-function answerOf(device, frame, request) {
-  const response = explained(device, request.link, "response", frame, request.message, request);
-  const fits = !reasonsOf(response).length;
-  return {
+function readingsAnswer(layout, frame, openRequest) {
+  const request = openRequest.request;
+  const response = explained(layout, request.link, "response", frame, request.message, request.frame);
+  const mismatches = py.tuple(readingsMismatches(layout, request, response));
+  return new ChosenReading({
     explanation: response,
-    readings: fits ? [readingOf(response)] : [],
-    chosen: fits ? "request" : "closest",
-    mismatches: mismatchesOf(device, request, response),
-  };
+    readings: py.truth(response.reasons) ? [] : [readingOf(response)],
+    chosen: py.truth(response.reasons) ? "closest" : "request",
+    mismatches,
+  });
 }
 
 /** The places where a response does not fit its request. */
-function mismatchesOf(device, request, response) {
-  const link = device.links.get(request.link);
-  const texts = [];
-  for (const role of ["unitAddress", "code"]) {
-    const [ours, theirs] = [link.request[role], link.response[role]];
-    const want = ours && request.values.get(ours.name);
-    const have = theirs && response.values.get(theirs.name);
-    // A code of its own marks the exception responses to all requests.
-    if (role === "code" && response.error && link.exception?.code !== undefined) continue;
-    const { responseCode } = device.messages.get(request.message) ?? {};
-    if (role === "code" && responseCode !== undefined) {
-      if (isWhole(have ?? "") && have != responseCode) {
-        const [actual, expected] = [have, responseCode].map((number) => partNumberText(theirs, number));
-        texts.push(sentence(SENTENCES.ANOTHER_CODE, { name: theirs.name, actual, expected, message: request.message }));
+function* readingsMismatches(layout, request, response) {
+  let actual, expected;
+  for (const role of ["unit_address", "code"]) {
+    const ours = py.item(layout.links, request.link).request.role(role);
+    const theirs = py.item(layout.links, request.link).response.role(role);
+    expected = py.truth(ours) ? request.values.get(ours.name) : null;
+    actual = py.truth(theirs) ? response.values.get(theirs.name) : null;
+    if (role === "code" && readingsHasCodeOfItsOwn(layout, response)) {
+      continue;
+    }
+    const announced = layout.messages.get(request.message);
+    if (role === "code" && announced != null && announced.message.hasResponseCode) {
+      expected = announced.message.codeOf("response");
+      if (py.truth(theirs) && py.isWhole(actual) && !py.equal(actual, expected)) {
+        yield py.format(SENTENCES.ANOTHER_CODE, {
+          name: theirs.name,
+          actual: theirs.numberText(actual),
+          expected: theirs.numberText(expected),
+          message: request.message,
+        });
       }
-    } else if (isWhole(want ?? "") && isWhole(have ?? "") && have != want) {
-      texts.push(sentence(SENTENCES.ANOTHER_NUMBER, { name: ours.name, actual: have, expected: want }));
+      continue;
+    }
+    if (py.truth(ours) && py.isWhole(expected) && py.isWhole(actual) && !py.equal(actual, expected)) {
+      yield py.format(SENTENCES.ANOTHER_NUMBER, { name: ours.name, actual, expected });
     }
   }
   for (const row of response.rows) {
-    if (row.verdict.startsWith("wrong") && !row.reason) {
-      texts.push(sentence(SENTENCES.PART_NOT_REPEATED, { path: row.path, fault: faultOf(row.verdict) }));
+    if (py.startswith(row.verdict, "wrong") && !row.reason) {
+      yield py.format(SENTENCES.PART_NOT_REPEATED, { path: row.path, fault: faultOf(row.verdict) });
     }
   }
-  const message = response.error ? undefined : device.messages.get(response.message);
-  const { operation, count, values, unit = "word" } = message?.access ?? {};
-  if (operation === "read" && (count || unit !== "bit")) {
-    const want = count ? request.values.get(count) : 1;
-    const have = response.values.get(values);
-    const size = unit === "bit" && isWhole(want ?? "") ? Math.ceil(Number(want) / 8) : want;
-    if (isWhole(want ?? "") && Array.isArray(have) && have.length != size) {
-      const fault = unit === "bit" ? SENTENCES.ASKED_BITS : SENTENCES.ASKED_VALUES;
-      texts.push(sentence(fault, { expected: want, unit, size, actual: have.length }));
+  const message = layout.messages.get(response.message);
+  const access = (py.truth(message) && !response.error) ? message.message.singleAccess : null;
+  if (access != null && access.operation === "read") {
+    const unit = layout.device.space(access.space).unit;
+    expected = py.truth(access.count) ? request.values.get(access.count) : unit === BIT ? null : 1;
+    actual = response.values.get(access.values);
+    if (py.isWhole(expected) && py.isList(actual)) {
+      const size = unit === BIT ? packedSize(expected) : expected;
+      if (actual.length !== size) {
+        const sentence = unit === BIT ? SENTENCES.ASKED_BITS : SENTENCES.ASKED_VALUES;
+        yield py.format(sentence, { expected, unit, size, actual: actual.length });
+      }
     }
   }
-  return texts;
 }
 
-const NAMED = 3;
+/** Whether a response is an exception response whose code is not that of its request. */
+function readingsHasCodeOfItsOwn(layout, response) {
+  const refusal = py.item(layout.links, response.link).link.exceptionResponse;
+  return response.error && refusal != null && refusal.code != null;
+}
 
-/** The remarks on a frame. `askedIn` is the line of the request before it, 0 if there is none. */
-export function remarksOn(device, chosen, askedIn, options) {
-  const texts = [];
+const READINGS_NAMED = 3;
+
+/** The remarks on a frame. `asked_in` is the line of the request before it, 0 if there is none. */
+export function* remarksOn(layout, chosen, askedIn, options) {
   if (chosen.chosen === "closest") {
-    texts.push(sentence(SENTENCES.CLOSEST, device.data));
-    texts.push(...otherLengths(device, chosen, options));
-  } else if (askedIn && chosen.explanation.direction === "response" && !isUnrequested(device, chosen)) {
-    texts.push(sentence(chosen.chosen === "request" ? SENTENCES.ANSWERS : SENTENCES.DOES_NOT_ANSWER, { line: askedIn }));
+    yield py.format(SENTENCES.CLOSEST, { device: layout.device.id });
+    yield* readingsOfOtherLength(layout, chosen, options);
+  } else if (askedIn && chosen.explanation.direction === "response" && !readingsIsUnrequested(layout, chosen)) {
+    const answers = chosen.chosen === "request" ? SENTENCES.ANSWERS : SENTENCES.DOES_NOT_ANSWER;
+    yield py.format(answers, { line: askedIn });
   }
-  if (chosen.chosen === "likeliest") texts.push(ambiguityText(device, chosen));
-  return [...texts, ...chosen.mismatches];
+  if (chosen.chosen === "likeliest") {
+    yield readingsAmbiguous(layout, chosen);
+  }
+  yield* chosen.mismatches;
 }
 
 /** Whether a frame is one that the device sends of its own accord, so that it answers nothing. */
-function isUnrequested(device, chosen) {
-  return Boolean(device.messages.get(chosen.explanation.message)?.unrequested);
+function readingsIsUnrequested(layout, chosen) {
+  const announced = layout.messages.get(chosen.explanation.message);
+  return announced != null && !announced.message.isRequested;
 }
 
 /** Whether frames of a link carry the code of their message. */
-function isCoded(link) {
-  return DIRECTIONS.some((direction) => link[direction].code);
+function readingsCoded(layout, link) {
+  return [...DIRECTIONS].some((direction) => py.item(layout.links, link).frame(direction).role("code") != null);
 }
 
-/** The remark that other readings fit, and what tells them apart. */
-function ambiguityText(device, chosen) {
+/** The remark that other readings fit, and which options tell them apart. */
+function readingsAmbiguous(layout, chosen) {
+  let names;
   const own = chosen.explanation;
-  const ownKey = JSON.stringify(readingOf(own));
-  const alternatives = chosen.readings.filter((reading) => JSON.stringify(reading) !== ownKey);
-  const readings = [readingOf(own), ...alternatives];
-  const options = optionsText(device, own, alternatives);
-  if (readings.every(([link]) => !isCoded(device.links.get(link)))) {
-    const names = readings.map(([link, direction, message]) => messageText(device.links.get(link), direction, message));
-    return sentence(SENTENCES.AMBIGUOUS_SIZE, { count: own.frame.length, names: enumeration(names, "or"), options });
+  const readings = [readingOf(own), ...(chosen.alternatives ?? [])];
+  const options = readingsOptions(layout, own, chosen.alternatives);
+  if ([...readings].every(([link, , , ]) => !readingsCoded(layout, link))) {
+    const texts = [...readings].map(([link, direction, name, ]) => readingsMessageText(py.item(layout.links, link).link, direction, name));
+    names = readingsEnumeration(texts, "or");
+    return py.format(SENTENCES.AMBIGUOUS_SIZE, { count: own.frame.length, names, options });
   }
-  const groups = new Map();
-  for (const [link, direction, message, error] of alternatives) {
-    const key = JSON.stringify([link, direction, error]);
-    if (!groups.has(key)) groups.set(key, { link, direction, error, names: [] });
-    groups.get(key).names.push(message || SENTENCES.UNKNOWN_MESSAGE);
+  const namesOf = py.dict([]);
+  for (const [link, direction, message, error] of chosen.alternatives) {
+    namesOf.setdefault([link, direction, error], []).push(py.either(message, () => SENTENCES.UNKNOWN_MESSAGE));
   }
-  const others = [...groups.values()].map(({ link, direction, error, names }) => namedReading(device, own, link, direction, error, names));
-  const explained = namedReading(device, own, own.link, own.direction, own.error, [own.message || SENTENCES.UNKNOWN_MESSAGE]);
-  return sentence(SENTENCES.AMBIGUOUS, { explained, others: others.join(" or "), options });
+  const alternativesText = py.join(" or ", [...namesOf.entries()].map(([[link, direction, error], names]) => readingsReadingsText(layout, own, link, direction, error, names)));
+  const ownNames = [own.message || SENTENCES.UNKNOWN_MESSAGE];
+  const explained = readingsReadingsText(layout, own, own.link, own.direction, own.error, ownNames);
+  return py.format(SENTENCES.AMBIGUOUS, { explained, others: alternativesText, options });
 }
 
 /** The options that tell the readings apart: those that are each enough, else all that help. */
-function optionsText(device, own, alternatives) {
-  const words = new Set([own.link, ...alternatives.map(([link]) => link)].map((link) => device.links.get(link).messageName));
-  const word = words.size === 1 ? [...words][0].replaceAll("_", "-") : "message";
-  const link = device.links.get(own.link);
-  let telling = [
-    ["link", alternatives.map(([other]) => other !== own.link)],
-    ["direction", alternatives.map(([, direction]) => direction !== own.direction)],
-    [word, alternatives.map(([, , message]) => message !== own.message)],
-  ];
-  const byMessage = telling[2][1];
-  if (own.direction === "response" && link.request.code && byMessage.some(Boolean)) telling = [["request", byMessage], ...telling];
-  const enough = telling.filter(([, tells]) => tells.every(Boolean)).map(([option]) => option);
-  if (enough.length) return sentence(SENTENCES.OPTION_TELLS, { options: enough.join(" or ") });
-  const helpful = telling.filter(([, tells]) => tells.some(Boolean)).map(([option]) => option);
-  return sentence(SENTENCES.OPTIONS_TELL, { options: helpful.join(" and ") });
+function readingsOptions(layout, own, alternatives) {
+  const links = [own.link, ...[...alternatives].map(([link, , , ]) => link)];
+  const words = py.list(py.dict([...links].map((link) => py.item(layout.links, link).link.messageName).map((key) => [key, null])));
+  const byMessage = [...alternatives].map(([, , message, ]) => message !== own.message);
+  const telling = py.dict([["request", (own.direction === "response" && readingsAsks(layout, own.link)) ? byMessage : [false]], ["link", [...alternatives].map(([link, , , ]) => !py.equal(link, own.link))], ["direction", [...alternatives].map(([, direction, , ]) => direction !== own.direction)], [words.length === 1 ? words[0] : "message", byMessage]]);
+  const enough = [...telling.entries()].filter(([option, tells]) => py.all(tells)).map(([option, tells]) => optionText(option));
+  if (py.truth(enough)) {
+    return py.format(SENTENCES.OPTION_TELLS, { options: py.join(" or ", enough) });
+  }
+  const helpful = [...telling.entries()].filter(([option, tells]) => py.any(tells)).map(([option, tells]) => optionText(option));
+  return py.format(SENTENCES.OPTIONS_TELL, { options: py.join(" and ", helpful) });
+}
+
+/** Whether the request identifies the message of a response on a link. */
+function readingsAsks(layout, link) {
+  return py.item(layout.links, link).request.role("code") != null;
 }
 
 /** Readings in words: `the response to stop on rtu`, `a response to one of 28 messages (stop, move, homing, ..)`. */
-function namedReading(device, own, link, direction, error, messages) {
+function readingsReadingsText(layout, own, link, direction, error, messages) {
   const isSingle = messages.length === 1;
-  const name = device.links.get(link).directionNames[direction];
-  const parts = {
+  const name = py.item(layout.links, link).link.directionName(direction);
+  let sentence = isSingle ? SENTENCES.READING : SENTENCES.READINGS;
+  if (!py.has(DIRECTIONS, name) && !error) {
+    sentence = isSingle ? SENTENCES.NAMED_MESSAGE : SENTENCES.NAMED_MESSAGES;
+  }
+  let kind = error ? "exception response" : direction;
+  let joint = kind !== "response" ? "of" : "to";
+  if (kind === "response" && [...messages].every((message) => !py.item(layout.messages, message).message.isRequested)) {
+    [kind, joint] = ["frame", "of"];
+  }
+  return py.format(sentence, {
     message: messages[0],
     count: messages.length,
-    names: (messages.length <= NAMED ? messages : [...messages.slice(0, NAMED), ".."]).join(", "),
+    names: py.join(", ", messages.length <= READINGS_NAMED ? messages : [...py.slice(messages, undefined, READINGS_NAMED), ".."]),
     direction: name,
-    place: link === own.link ? "" : sentence(SENTENCES.ON_LINK, { link }),
-  };
-  if (!DIRECTIONS.includes(name) && !error) return sentence(isSingle ? SENTENCES.NAMED_MESSAGE : SENTENCES.NAMED_MESSAGES, parts);
-  // What the device sends of its own accord answers nothing.
-  const isAnswer = !error && direction === "response" && messages.some((message) => !device.messages.get(message).unrequested);
-  const kind = error ? "exception response" : isAnswer || direction === "request" ? direction : "frame";
-  const joint = isAnswer ? "to" : "of";
-  return sentence(isSingle ? SENTENCES.READING : SENTENCES.READINGS, { kind, joint, ...parts });
+    place: link === own.link ? "" : py.format(SENTENCES.ON_LINK, { link }),
+    kind,
+    joint,
+  });
 }
 
-/** `telegram_3 sent` */
-function messageText(link, direction, message) {
-  return sentence(SENTENCES.NAMED_MESSAGE, { message, direction: link.directionNames[direction], place: "" });
+/** A message with its direction, as remarks name it: `telegram_3 sent` */
+function readingsMessageText(link, direction, message) {
+  return py.format(SENTENCES.NAMED_MESSAGE, { message, direction: link.directionName(direction), place: "" });
 }
 
-/** The lengths of the messages, if only the length could tell which one the frame is, and it tells none. */
-function otherLengths(device, chosen, options) {
+/** `a, b or c` */
+function readingsEnumeration(names, last) {
+  return names.length > 1 ? `${py.join(", ", py.slice(names, undefined, -1))} ${last} ${names.at(-1)}` : names[0];
+}
+
+/** The lengths of the messages, if only the length could identify the message, and it matches none. */
+function* readingsOfOtherLength(layout, chosen, options) {
   const own = chosen.explanation;
-  const link = device.links.get(own.link);
-  const ofLength = ["wrong_length", "incomplete", "unknown_code"];
-  if (isCoded(link) || !reasonsOf(own).some((reason) => ofLength.includes(reason))) return [];
-  const known = link.carriedMessages;
-  const all = new Set([...known.request.keys(), ...known.response.keys()]);
-  const names = all.has(options.message) ? [options.message] : [...all];
-  const ways = DIRECTIONS.filter((direction) => options.goes(own.link, direction));
-  const sizes = names.flatMap((name) => ways.filter((direction) => known[direction].has(name)).map((direction) => {
-    const [, , , size] = link.lengths[direction].find(([other]) => other === name);
-    return sentence(SENTENCES.SIZE_OF_MESSAGE, { message: messageText(link, direction, name), size });
-  }));
-  return sizes.length ? [sentence(SENTENCES.SIZES, { own: ownSize(link, own), others: sizes.join(", ") })] : [];
-}
-
-/** The size of a frame, counted as those of messages are: `without its delimiters, the frame has 4 bytes`. */
-function ownSize(link, { direction, frame, rows }) {
-  const { escape } = link[direction];
-  if (escape?.method === "can") return sentence(SENTENCES.SIZE_OF_DATA, { bytes: byteCount(frame.length - 8) });
-  const inner = rows.filter(({ kind }) => kind !== "mark");
-  const isHex = link.transmission === "hex_ascii";
-  const size = inner.reduce((sum, { length, raw }) => sum + (isHex ? length : raw.length), 0);
-  const preamble = link.preamble ? ["preamble"] : [];
-  const without = [...preamble, ...(link.delimiters[direction].some((mark) => mark.length) ? ["delimiters"] : []), ...(escape ? ["escapes"] : [])];
-  const bytes = byteCount(isHex ? Math.trunc(size / 2) : size);
-  return sentence(without.length ? SENTENCES.SIZE_WITHOUT : SENTENCES.SIZE_OF_FRAME, { names: without.join(" and "), bytes });
+  const link = py.item(layout.links, own.link);
+  const isOfLength = [...own.reasons].some((reason) => py.has(["wrong_length", "incomplete", "unknown_code"], reason));
+  if (readingsCoded(layout, own.link) || !isOfLength) {
+    return;
+  }
+  const known = py.dict([...DIRECTIONS].map((direction) => [direction, link.carried(direction)]));
+  const names = py.list(py.dict([...py.item(known, "request"), ...py.item(known, "response")].map((key) => [key, null])));
+  const ways = [...DIRECTIONS].filter((direction) => options.goes(own.link, direction));
+  const escape = link.link.isCan ? link.link.escape : null;
+  const identifier = escape == null ? 0 : escape.fieldsSize;
+  const sizes = [...py.has(names, options.message) ? [options.message] : names].flatMap((name) => [...ways].filter((direction) => py.has(py.item(known, direction), name)).map((direction) => py.format(SENTENCES.SIZE_OF_MESSAGE, {
+    message: readingsMessageText(link.link, direction, name),
+    size: boundsText(...lengths(link, direction, name), identifier),
+  })));
+  if (py.truth(sizes)) {
+    yield py.format(SENTENCES.SIZES, { own: sizeText(link, own), others: py.join(", ", sizes) });
+  }
 }

@@ -11,6 +11,7 @@ export const SENTENCES = {
  "CHARACTER_TOO_MANY": "1 character too many",
  "NOT_PAIRS": "not pairs of hexadecimal characters",
  "BOUNDS": "{low} to {high}",
+ "OR_MORE": "{low} or more",
  "NOT_ESCAPED": "the byte at {offset} is not escaped, or its escape means nothing",
  "ANOTHER_LENGTH": "for another number of bytes",
  "CODE_REFUSED": "the code {code} is refused",
@@ -81,5 +82,5 @@ export const SENTENCES = {
  "NO_BYTES": "there are no bytes in it",
  "TOO_LONG": "it has {count} characters or more",
  "END_ASSUMED": "{characters} is missing at the end of the text and is assumed to have been sent",
- "DIRECTION_WORDS": {"request": ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"], "response": ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"]},
+ "DIRECTION_WORDS": [["request", ["tx", "send", "sending", "sent", "transmit", "transmitted", "request", "req"]], ["response", ["rx", "recv", "receive", "received", "response", "resp", "rsp", "reply", "answer"]]],
 };

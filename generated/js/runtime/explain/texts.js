@@ -20,7 +20,9 @@ const DIGITS = Array.from({ length: 256 }, (_, byte) => byte.toString(16).toUppe
 
 /** Bytes as hexadecimal digits. */
 export function hexOf(bytes, separator = "") {
-  return Array.from(bytes, (byte) => DIGITS[byte]).join(separator);
+  let text = "";
+  for (const byte of bytes) text += (text && separator) + DIGITS[byte];
+  return text;
 }
 
 /** The bytes of hexadecimal digits. */
@@ -30,7 +32,9 @@ export function bytesOfHex(digits) {
 
 /** The characters of bytes, one for each. */
 export function latinOf(bytes) {
-  return Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+  let text = "";
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return text;
 }
 
 /** Whether two series of bytes are the same. */

@@ -81,7 +81,7 @@ class DevicePanel {
   // The request of the page; null where what is there is none.
   request() {
     const { current } = this.lab;
-    if (!current || this.lab.isEntryRefused || current.explanation.direction !== "request" || reasonsOf(current.explanation).length) return null;
+    if (!current || this.lab.isEntryRefused || current.explanation.direction !== "request" || current.explanation.reasons.length) return null;
     return current.explanation;
   }
 
@@ -165,11 +165,11 @@ class DevicePanel {
     const patience = Math.min(60000, Math.max(50, Number(byId("patience").value) || 1000));
     const isAnswered = this.isAnswered(request);
     const asked = { request, sure: true };
-    const readAnswer = (data) => readFrame(device, data, new FrameOptions(), "response", asked);
+    const readAnswer = (data) => readFrame(device, data, new FrameOptions({}), "response", asked);
     this.fault("");
     this.say("Waiting for the answer …");
     this.note("TX", request.frame);
-    const asking = exchange.ask(request.frame, (data) => !reasonsOf(readAnswer(data).explanation).length, isAnswered ? patience : QUIET);
+    const asking = exchange.ask(request.frame, (data) => !readAnswer(data).explanation.reasons.length, isAnswered ? patience : QUIET);
     this.update();
     const { data, milliseconds, lost } = await asking;
     if (data.length) this.note("RX", data);
@@ -186,9 +186,9 @@ class DevicePanel {
   // Explains an answer, and says what is wrong with it.
   show(reading, data, patience) {
     const { explanation } = reading;
-    const remarks = remarksOn(this.lab.device, reading, 0, new FrameOptions());
-    this.lab.table.show({ explanation, remarks, wrong: isWrong(reading) });
-    if (reasonsOf(explanation).length) return `No valid answer within ${patience} ms, but ${data.length} bytes: ${reasonsOf(explanation).join(", ")}.`;
+    const remarks = [...remarksOn(this.lab.device, reading, 0, new FrameOptions({}))];
+    this.lab.table.show({ explanation, remarks, wrong: reading.wrong });
+    if (explanation.reasons.length) return `No valid answer within ${patience} ms, but ${data.length} bytes: ${explanation.reasons.join(", ")}.`;
     if (reading.mismatches.length) return "The answer does not fit the request.";
     return explanation.error ? "The device refuses the request." : "";
   }

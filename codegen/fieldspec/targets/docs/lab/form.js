@@ -176,8 +176,8 @@ class MessageForm {
   allLeaves() {
     const record = this.record();
     let form = record;
-    if (record.selector !== undefined) {
-      const by = record.named.get(record.selector);
+    if (record.selector) {
+      const by = record.selector;
       form = record;
       try {
         form = formOfValues(record, new Map([[by.name, this.rawValue({ path: by.name, field: by })]])) ?? record;
@@ -280,7 +280,7 @@ class MessageForm {
       input.value = this.entries.get(path);
     } else {
       this.entries.set(path, target.value);
-      if (this.record().selector === path || this.deciding.has(path)) this.draw();
+      if (this.record().selector?.name === path || this.deciding.has(path)) this.draw();
     }
     this.build();
   }

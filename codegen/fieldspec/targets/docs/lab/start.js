@@ -81,7 +81,7 @@ class Lab {
     byId("known-link").replaceChildren(option("", "any"), ...[...links.keys()].map((name) => option(name, name)));
     const directions = new Map([...links.values()].flatMap(({ directionNames }) => Object.values(directionNames).map((name) => [name, name])));
     byId("known-direction").replaceChildren(option("", "any"), ...[...directions.keys()].map((name) => option(name, name)));
-    const messages = new Set([...links.values()].flatMap(({ carried }) => [...carried.request, ...carried.response]));
+    const messages = new Set([...links.values()].flatMap(({ carriedMessages }) => Object.values(carriedMessages).flatMap((named) => named.keys())));
     byId("known-message").replaceChildren(option("", "any"), ...[...messages].map((name) => option(name, name)));
     const words = new Set([...links.values()].map(({ messageName }) => messageName));
     byId("known-message-label").textContent = titled(words.size === 1 ? [...words][0] : "message");
@@ -141,7 +141,7 @@ class Lab {
     const { request } = entry;
     const asked = request && explained(this.device, request.link, "request", request.frame, request.message);
     const [link, direction, message, error] = entry.reading;
-    const explanation = explained(this.device, link, direction, entry.frame, error ? "" : message, asked);
+    const explanation = explainedAfter(this.device, link, direction, entry.frame, error ? "" : message, asked);
     this.current = { frame: entry.frame, explanation, request: asked };
     this.isEntryRefused = false;
     this.table.show({ explanation, remarks: entry.remarks, wrong: entry.wrong });
@@ -153,18 +153,18 @@ class Lab {
   // A frame that the form makes. In a log it is shown beside the frames of the log, else it takes their place.
   edited(frame, { link, direction, message, error }) {
     const own = this.device.links.get(link);
-    const isCoded = Boolean(own[direction].code);
+    const isCoded = Boolean(own[direction].role("code"));
     const known = { link, direction: own.directionNames[direction], message: isCoded || error ? "" : message };
     const options = frameOptions(this.device, known);
     const answers = this.current?.request;
     const asked = direction === "response" && answers?.link === link && answers.message === message ? answers : null;
     const reading = readFrame(this.device, frame, options, "", asked && { request: asked, sure: true });
-    const remarks = remarksOn(this.device, reading, 0, options);
+    const remarks = [...remarksOn(this.device, reading, 0, options)];
     this.current = { frame, explanation: reading.explanation, request: asked };
     this.isEntryRefused = false;
     byId("built").textContent = this.frameText();
     byId("input-fault").textContent = "";
-    this.table.show({ explanation: reading.explanation, remarks, wrong: isWrong(reading) });
+    this.table.show({ explanation: reading.explanation, remarks, wrong: reading.wrong });
     this.panel.update();
     if (this.list.entries.length > 1) return;
     byId("frames").value = this.frameText();
@@ -190,7 +190,7 @@ class Lab {
     const example = this.device.data.examples.find(({ id }) => id === byId("example").value);
     if (!example) return;
     const asks = this.device.data.examples.find(({ id }) => id === example.replyTo);
-    const isCoded = this.device.links.get(example.link)[example.direction].code;
+    const isCoded = this.device.links.get(example.link)[example.direction].role("code");
     byId("known-link").value = example.link;
     byId("known-direction").value = this.device.links.get(example.link).directionNames[example.direction];
     byId("known-message").value = isCoded ? "" : example.message ?? "";

@@ -53,7 +53,7 @@ class FrameTable {
     byId("remarks").replaceChildren(...reading.remarks.map((text) => element("li", { textContent: text })));
     byId("remarks").className = reading.wrong ? "wrong" : "";
     this.showBytes(explanation);
-    this.showTable(byId("rows"), "The frame, field by field", COLUMNS, explanation.rows, placeOf, this.rawForms(explanation));
+    this.showTable(byId("rows"), "The frame, field by field", COLUMNS, explanation.rows, (row) => row.at, this.rawForms(explanation));
     const registers = byId("registers");
     registers.hidden = !explanation.registers.length;
     if (explanation.registers.length) {
@@ -101,19 +101,20 @@ class FrameTable {
   // How the command line prints raw values: codes, addresses and wire numbers of parameters in hexadecimal, but not characters.
   rawForms({ link, direction, message, error, rows }) {
     const { device } = this.lab;
-    const { code, checks } = device.links.get(link)[direction];
+    const { [direction]: frame } = device.links.get(link);
+    const code = frame.role("code");
     const { access, [direction]: record } = device.messages.get(message) ?? {};
     const fields = error ? [] : record?.fields ?? [];
     const isHexadecimal = ({ name, value }) => {
       if (!value || CHARACTER_DIGITS.has(value.digits)) return false;
       if (value.flags || name === access?.start) return true;
       const row = rows.find(({ path }) => path === name);
-      if (value.parameter?.[1] !== "number" || !isWhole(row?.number ?? "")) return false;
-      const found = parameterAt(device, value.parameter[0], row.number);
-      return !found || Boolean(found.words.digits || found.words.base);
+      if (value.parameter?.part !== "number" || !isWhole(row?.number ?? "")) return false;
+      const [own] = device.parameterAt(value.parameter.set, row.number) ?? [];
+      return !own || Boolean(own.digits || own.base);
     };
     return {
-      hidden: checks.map(({ name }) => name),
+      hidden: frame.checksums.map(({ name }) => name),
       hexadecimal: [code?.name, ...fields.filter(isHexadecimal).map(({ name }) => name)],
     };
   }
@@ -133,7 +134,7 @@ class FrameTable {
     const name = row.path || (row.kind === "unexplained" && !row.doc ? "surplus" : "");
     const labels = [row.printedName && element("code", { textContent: row.printedName }), " ", labelText(device, row.label)];
     const meanings = row.meanings.map((meaning) => element("li", {}, ...this.meaning(meaning)));
-    const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(sentText(row))} ` : "";
+    const sent = row.characters && row.characters !== hexOf(row.raw) ? `${visibleCharacters(row.sent)} ` : "";
     const cells = [
       element("td", { className: "number" }, element("code", { textContent: first })),
       element("td", { className: "bytes" }, sent && element("span", { className: "quiet", textContent: sent }), element("code", { textContent: hexOf(row.raw, " ") })),

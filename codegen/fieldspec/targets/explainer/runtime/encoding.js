@@ -6,7 +6,8 @@ import { narrowedImage } from "../widths.js";
 import { bytesOfNumber, inPlaces, isArray } from "./interpreter.js";
 import { isWhole } from "./numbers.js";
 import { intervalsText, isWithin } from "./texts.js";
-import { codeIn, formOfField, memberOf } from "./device.js";
+import { memberOf } from "./device.js";
+import { formOfField } from "./layouts.js";
 import { digitsBytes } from "../digit_texts.js";
 import { refusedBitOf, sentinelOf } from "./values.js";
 import { checksumOf, lengthNumber, typeBounds } from "./frames.js";
@@ -83,15 +84,15 @@ function inRange(name, value, number) {
 
 /** The form of a record for the values of its fields: the record itself, or what its selector decides. */
 export function formOfValues(record, values) {
-  if (record.selector === undefined) return record;
-  const number = values.get(record.selector);
+  if (!record.selector) return record;
+  const number = values.get(record.selector.name);
   return isWhole(number ?? "") ? record.forms.get(BigInt(number)) : undefined;
 }
 
 /** The bytes of a record. Throws CodecError for values that are missing or that no codec takes. */
 export function encodeRecord(device, record, values) {
   const form = formOfValues(record, values);
-  if (!form) throw new CodecError("unknown_value", `${record.selector} is ${values.get(record.selector)}, which chooses nothing that may follow`);
+  if (!form) throw new CodecError("unknown_value", `${record.selector.name} is ${values.get(record.selector.name)}, which chooses nothing that may follow`);
   const known = new Map();
   const sent = new Map();
   const fields = form.fields.map((field) => decidedField(form, field, values));
@@ -105,7 +106,7 @@ export function encodeRecord(device, record, values) {
       return list && list !== form.inner.lists.at(-1) ? padded(own, list.most) : own;
     }
     const [of, name, plus = 0] = field.measures;
-    const other = form.named.get(name);
+    const other = form.named(name);
     const items = other.isList ? known.get(name).length : 1;
     const number = inRange(field.name, field.value, (of === "bytes" ? items * other.size : items) + plus);
     return bytesOfValue(device, field.name, { ...field.value, ranges: undefined, writeRanges: undefined }, number);
@@ -123,12 +124,12 @@ export function encodeRecord(device, record, values) {
     const last = form.fields.at(-1);
     return sentOfImage(form.inner, bytes, known.get(last.name).length * last.size);
   }
-  return form.spans ? narrowedImage(form.spans, bytes) : bytes;
+  return form.spans?.length ? narrowedImage(form.spans, bytes) : bytes;
 }
 
 /** A field of the type that the values of its record decide. Throws CodecError where they decide nothing. */
 function decidedField(record, field, values) {
-  const number = field.forms && elementsOf(record.named.get(field.by), values)[0];
+  const number = field.forms && elementsOf(record.named(field.by), values)[0];
   const decided = number === undefined || isWhole(number) ? formOfField(record, field, values) : undefined;
   if (!decided) throw new CodecError("unknown_value", `${field.by} is ${number}, which chooses nothing that may follow`);
   return decided;
@@ -191,7 +192,7 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
       if (units === undefined) throw new CodecError("wrong_length", `${length.name} cannot say that the frame has ${total} bytes`);
       numbers.set(length.name, units);
     }
-    for (const check of shape.checks.filter(isOwn)) numbers.set(check.name, checksumOf(check, bytes()));
+    for (const check of shape.checksums.filter(isOwn)) numbers.set(check.name, checksumOf(check, bytes()));
   }
   const inner = sent();
   const encoded = link.transmission === "hex_ascii" ? charactersOf(inner) : inner;
@@ -227,7 +228,7 @@ function partBytes(part, number) {
 function partNumber(link, direction, part, values, message, error) {
   if (part.role === "length" || part.role === "checksum") return part.role === "length" ? 0 : new Uint8Array(part.size);
   if (part.constant !== undefined) return part.constant;
-  const code = codeIn(direction, message);
+  const code = message.codeOf(direction);
   if (part.role === "code") return error ? link.exception.code ?? onBits(code, link.exception.flag, (bits, mask) => bits | mask) : code;
   const number = values.get(part.name);
   if (number === undefined) throw new CodecError("missing_value", `${part.name} is missing`);

@@ -72,10 +72,10 @@ export function exceedsReal(number, size) {
 /** A whole number that a double has exactly as a number, any other as it is. */
 export const exactWhole = (number) => (Number.isSafeInteger(Number(number)) ? Number(number) : number);
 
-/** The result of an operation on the bits of two such numbers, which have no sign. */
+/** The result of an operation on the bits of two whole numbers without a sign. */
 export function onBits(left, right, operation) {
   const isNarrow = left <= 0xffffffff && right <= 0xffffffff;
-  return isNarrow ? operation(left, right) >>> 0 : exactWhole(operation(BigInt(left), BigInt(right)));
+  return isNarrow ? operation(Number(left), Number(right)) >>> 0 : exactWhole(operation(BigInt(left), BigInt(right)));
 }
 
 /** A power of two, as a bigint where another number is one. */

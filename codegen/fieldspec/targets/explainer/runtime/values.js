@@ -1,10 +1,14 @@
 import {
   decimalOf, decimalQuotient, decimalRounded, decimalSum, decimalText, floatText, isWhole,
 } from "./numbers.js";
-import { loaded, WIDE } from "./interpreter.js";
+import { loaded, WIDE, wholeOf } from "./interpreter.js";
+import { py } from "./python.js";
 import { SENTENCES } from "./sentences.js";
 import { intervalsText, isWithin, sameValue, sentence, valueText } from "./texts.js";
 import { memberOf } from "./device.js";
+
+/** Reasons with which a codec still accepts a value. */
+export const ACCEPTED = ["", "out_of_range"];
 
 const EXACT_DIGITS = 120;
 
@@ -26,6 +30,11 @@ function quantityOf(value, number) {
   const share = decimalQuotient(BigInt(number) * BigInt(above), BigInt(below), EXACT_DIGITS);
   return decimalRounded(decimalSum(share, decimalOf(offset)), EXACT_DIGITS);
 }
+
+/** Whether a value has ranges, and a number is in one of them. */
+export const hasInRanges = (value, number) => isWithin(value.ranges ?? [], number);
+
+export const intervalsOf = (value) => value.ranges ?? [];
 
 /** A value with the scale that the number of its exponent makes; unchanged for a number that is not an exponent. */
 export function exponentApplied(value, exponent, number) {
@@ -52,15 +61,16 @@ function rangeInUnit(value, ranges) {
 }
 
 /** A decoded value: its raw value, its quantity, its names, and its verdict with the reason of a fault. */
-export function decoded(number, more) {
-  return { number, text: "", meanings: [], verdict: "", reason: "", notes: [], facts: [], ...more };
-}
+export class DecodedValue {
+  constructor(number, { text = "", meanings = [], verdict = "", reason = "", notes = [], facts = [] } = {}) {
+    [this.number, this.text, this.meanings, this.verdict, this.reason] = [number, text, meanings, verdict, reason];
+    [this.notes, this.facts] = [notes, facts];
+  }
 
-/** A decoded value with a verdict: right, or wrong with what it should be. */
-export function judged(value, right, should, reason) {
-  return right
-    ? { ...value, verdict: "right", reason: "" }
-    : { ...value, verdict: sentence(SENTENCES.SHOULD_BE, { expected: should }), reason };
+  /** The same value with a verdict: right, or wrong with what it should be. */
+  judged(isRight, expected, reason) {
+    return py.replace(this, isRight ? { verdict: "right", reason: "" } : { verdict: sentence(SENTENCES.SHOULD_BE, { expected }), reason });
+  }
 }
 
 /** What a verdict says of a wrong value: `should be 5`. */
@@ -69,8 +79,10 @@ export function faultOf(verdict) {
 }
 
 /** A name of a value, or of some of its bits: `bits` is empty, `3`, or `9..10`. */
-export function meaningOf(name, label, text, bits = "") {
-  return { name: name ?? "", label: label ?? "", text: text ?? "", bits };
+export class Meaning {
+  constructor(name, label, text, bits = "") {
+    Object.assign(this, { name: name ?? "", label: label ?? "", text: text ?? "", bits });
+  }
 }
 
 /** The value with the range of writing as its only range. */
@@ -80,31 +92,31 @@ export function forWriting(value) {
 }
 
 /** The meaning of the bytes of a value that is read: a constant binds only what is written; a trigger has its type alone. */
-export function decodeAnswer(device, value, bytes, reserved, isTrigger) {
-  let read = decodeValue(device, value, bytes, reserved);
+export function decodeAnswer(device, value, bytes, _order, _isSwapped, reserved, isTrigger) {
+  let read = decodeValue(device, value, bytes, "", false, reserved);
   if (read.reason === "wrong_const") {
-    const answer = decodeValue(device, { ...value, const: undefined }, bytes, reserved);
-    read = { ...answer, notes: [...answer.notes, sentence(SENTENCES.IT, { statement: faultOf(read.verdict) })] };
+    const answer = decodeValue(device, { ...value, const: undefined }, bytes, "", false, reserved);
+    read = py.replace(answer, { notes: [...answer.notes, sentence(SENTENCES.IT, { statement: faultOf(read.verdict) })] });
   }
   if (!isTrigger) return read;
-  const { reason } = decodeValue(device, { ...value, const: undefined, enum: undefined }, bytes, reserved);
-  return reason === "unknown_value" ? read : { ...read, verdict: "", reason: "" };
+  const { reason } = decodeValue(device, { ...value, const: undefined, enum: undefined }, bytes, "", false, reserved);
+  return reason === "unknown_value" ? read : py.replace(read, { verdict: "", reason: "" });
 }
 
-/** The meaning of all bytes of a value. Never throws. */
-export function decodeValue(device, value, bytes, reserved = false) {
-  return decodedRow(device, value, loaded({ value, reserved }, bytes));
+/** The meaning of all bytes of a value, which knows their order. Never throws. */
+export function decodeValue(device, value, bytes, _order, _isSwapped, reserved = false) {
+  return decodedRow(device, loaded({ value, reserved }, bytes), value);
 }
 
 /** The meaning of what some bytes gave; `value` is that of the field, with a scale that is read. */
-export function decodedRow(device, value, { field, image, content, number }) {
-  if (field.reserved || value.kind === "bytes") return decoded(number);
+export function decodedRow(device, { field, image, content, number }, value) {
+  if (field.reserved || value.kind === "bytes") return new DecodedValue(number);
   if (content === null) {
-    return judged(decoded(number), false, image === null ? value.sentForm ?? value.form : value.form, "unknown_value");
+    return new DecodedValue(number).judged(false, image === null ? value.sentForm ?? value.form : value.form, "unknown_value");
   }
   switch (value.kind) {
     case "boolean": return decodedBoolean(device, value, number);
-    case "text": return decoded(number);
+    case "text": return new DecodedValue(number);
     case "float": return decodedFloat(value, number);
     case "integer": return decodedWhole(device, value, number);
     default: throw new RangeError(`unknown kind: ${value.kind}`);
@@ -113,38 +125,38 @@ export function decodedRow(device, value, { field, image, content, number }) {
 
 function decodedFloat(value, number) {
   const sentinel = sentinelOf(value, number);
-  if (sentinel) return decoded(number, { meanings: [meaningOf(sentinel.name, "", sentinel.doc)] });
-  const result = decoded(number, { text: value.unit ? `${floatText(number, value.size)} ${value.unit}` : "" });
+  if (sentinel) return new DecodedValue(number, { meanings: [new Meaning(sentinel.name, "", sentinel.doc)] });
+  const result = new DecodedValue(number, { text: value.unit ? `${floatText(number, value.size)} ${value.unit}` : "" });
   if (value.ranges === undefined || isWithin(value.ranges, number)) return result;
-  return judged(result, false, `${intervalsText(value.ranges)} ${value.unit ?? ""}`.trim(), "out_of_range");
+  return result.judged(false, `${intervalsText(value.ranges)} ${value.unit ?? ""}`.trim(), "out_of_range");
 }
 
 function decodedBoolean(device, value, number) {
-  if (typeof number !== "boolean") return judged(decoded(number), false, SENTENCES.TRUTH_NUMBERS, "unknown_value");
-  return value.enum ? { ...namedValue(device, value, Number(number)), number } : decoded(number);
+  if (typeof number !== "boolean") return new DecodedValue(number).judged(false, SENTENCES.TRUTH_NUMBERS, "unknown_value");
+  return value.enum ? py.replace(namedValue(device, value, Number(number)), { number }) : new DecodedValue(number);
 }
 
 function decodedWhole(device, value, number) {
-  if (value.const !== undefined && number != value.const) return judged(decoded(number), false, value.const, "wrong_const");
-  let result = decoded(number, { verdict: value.const === undefined ? "" : "right" });
+  if (value.const !== undefined && number != value.const) return new DecodedValue(number).judged(false, value.const, "wrong_const");
+  let result = new DecodedValue(number, { verdict: value.const === undefined ? "" : "right" });
   const sentinel = sentinelOf(value, number);
-  if (sentinel) return { ...result, meanings: [meaningOf(sentinel.name, "", sentinel.doc)] };
+  if (sentinel) return py.replace(result, { meanings: [new Meaning(sentinel.name, "", sentinel.doc)] });
   if (value.enum) {
     const named = namedValue(device, value, number);
-    result = { ...named, text: inUnit(value, number), verdict: named.verdict || result.verdict };
+    result = py.replace(named, { text: inUnit(value, number), verdict: named.verdict || result.verdict });
   } else if (value.flags) {
     const word = device.flags.get(value.flags);
     const meanings = setBitsOf(device, word, number);
     const notes = word.remark && meanings.some(({ bits }) => bits) ? [word.remark] : [];
-    result = { ...result, meanings, notes, facts: [word.path] };
+    result = py.replace(result, { meanings, notes, facts: [word.path] });
   } else {
-    result = { ...result, text: inUnit(value, number) };
+    result = py.replace(result, { text: inUnit(value, number) });
   }
   if (!result.reason && value.ranges !== undefined && !isWithin(value.ranges, number)) {
-    result = judged(result, false, rangeInUnit(value, value.ranges), "out_of_range");
+    result = result.judged(false, rangeInUnit(value, value.ranges), "out_of_range");
   }
   const bit = !result.reason && value.flags && refusedBitOf(device.flags.get(value.flags), number);
-  if (bit) result = judged(result, false, `${bit.name} ${rangeInUnit(bit, bit.ranges)}`, "out_of_range");
+  if (bit) result = result.judged(false, `${bit.name} ${rangeInUnit(bit, bit.ranges)}`, "out_of_range");
   return result;
 }
 
@@ -154,11 +166,11 @@ function namedValue(device, value, number) {
   const member = memberOf(listing, number);
   if (!member && listing.open) {
     const note = sentence(SENTENCES.UNLISTED_MEMBER, { enum: listing.name, number });
-    return decoded(number, { notes: [note], facts: [listing.path] });
+    return new DecodedValue(number, { notes: [note], facts: [listing.path] });
   }
-  const meanings = member && [meaningOf(member.name, member.label, member.problem || member.doc)];
-  const result = decoded(number, member && { meanings, notes: member.notes ?? [], facts: [listing.path, member.path] });
-  return member && (listing.open || !member.unavailable) ? result : judged(result, false, listing.taken, "unknown_value");
+  const meanings = member && [new Meaning(member.name, member.label, member.problem || member.doc)];
+  const result = new DecodedValue(number, member && { meanings, notes: member.notes ?? [], facts: [listing.path, member.path] });
+  return member && (listing.open || !member.unavailable) ? result : result.judged(false, listing.taken, "unknown_value");
 }
 
 /** The bits that are 1, fields of several bits with names, bits that the spec does not list, and states. */
@@ -172,11 +184,11 @@ function setBitsOf(device, word, number) {
     if (count || ((bit.enum || bit.isNumber) && !bit.reserved)) meanings.push(bitMeaning(device, bit, count));
   }
   for (let at = 0; unknown >> BigInt(at); at++) {
-    if ((unknown >> BigInt(at)) & 1n) meanings.push(meaningOf("", "", SENTENCES.UNLISTED_BIT, String(at)));
+    if ((unknown >> BigInt(at)) & 1n) meanings.push(new Meaning("", "", SENTENCES.UNLISTED_BIT, String(at)));
   }
   for (const state of word.states ?? []) {
     if ((raw & BigInt(state.mask ?? 0)) === BigInt(state.value ?? 0)) {
-      meanings.push(meaningOf(state.name, state.label, state.text));
+      meanings.push(new Meaning(state.name, state.label, state.text));
     }
   }
   return meanings;
@@ -221,15 +233,20 @@ function bitMeaning(device, bit, number) {
   const runs = runsOf(bit).map(([first, width]) => (width === 1 ? String(first) : `${first}..${first + width - 1}`));
   const bits = runs.join(", ");
   const member = bit.enum && memberOf(device.enums.get(bit.enum), number);
-  if (member) return meaningOf(`${bit.name}=${member.name}`, member.label || bit.label, member.doc, bits);
+  if (member) return new Meaning(`${bit.name}=${member.name}`, member.label || bit.label, member.doc, bits);
   if (bit.width > 1) {
     const text = [inUnit(bit, number), bit.text].filter(Boolean).join(": ");
-    return meaningOf(`${bit.name}=${number}`, bit.label, text, bits);
+    return new Meaning(`${bit.name}=${number}`, bit.label, text, bits);
   }
-  return meaningOf(bit.name, bit.label, bit.text, bits);
+  return new Meaning(bit.name, bit.label, bit.text, bits);
 }
 
 /** A decoded value, compared with the one that it repeats. */
-export function repeatedValue(value, should, floatSize = 0) {
-  return judged(value, sameValue(value.number, should), valueText(should, floatSize), "");
+export function repeatedValue(read, expected, value) {
+  return read.judged(sameValue(read.number, expected), valueText(expected, value?.kind === "float" ? value.size : 0), "");
+}
+
+/** Bytes as an unsigned number. */
+export function whole(bytes, order) {
+  return wholeOf(bytes, order === "big" ? "big" : "little", false);
 }

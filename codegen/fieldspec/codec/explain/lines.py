@@ -8,7 +8,7 @@ from itertools import islice
 
 from fieldspec.codec.explain import sentences
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.escape import CAN_EXTENDED, CAN_REMOTE
+from fieldspec.language.model.escape import can_frame_bytes
 from fieldspec.language.model.link import Link
 
 # The patterns are texts, which `re` compiles when they are first used; a line of nothing but digits needs none of them.
@@ -63,7 +63,7 @@ def bytes_of(text: str) -> bytes:
             raise Unreadable(sentences.ODD_DIGITS.format(piece=piece))
         if len(piece) == 1 and is_padded:
             raise Unreadable(sentences.SINGLE_DIGIT.format(offset=len(data), piece=piece))
-        data += bytes.fromhex(digits.zfill(2))
+        data = data + bytes.fromhex(digits.zfill(2))
     if not data:
         raise Unreadable(sentences.NO_BYTES)
     return data
@@ -76,13 +76,12 @@ def in_characters(text: str, links: Iterable[Link]) -> tuple[bytes, tuple[str, .
     """
     text = unquoted(text).lstrip()
     for link in links:
-        for direction in ("request", "response") if link.sends_characters else ():
-            mark = link.opening(direction).decode("latin-1")
-            if mark.isprintable() and mark and text.startswith(mark):
+        for direction, mark in link.openings.items():
+            if text.startswith(mark):
                 body, ending = _ended(text)
                 if link.transmission == "hex_ascii":
                     body = "".join(body.split())
-                _, end = link.delimiters(direction)
+                _, end = link.marks(direction)
                 return _split_end(body.encode("latin-1", "replace"), ending.encode("latin-1"), end)
     return None
 
@@ -105,7 +104,7 @@ def _split_end(body: bytes, end: bytes, mark: bytes) -> tuple[bytes, tuple[str, 
     rest = next(mark[size:] for size in range(len(mark), -1, -1) if body.endswith(mark[:size]))
     if end.endswith(rest):
         return body + rest, ()
-    if not rest.startswith(end):
+    if rest[: len(end)] != end:
         return body + end, ()
     missing = " ".join(_CONTROLS.get(byte, f"{byte:02X}") for byte in rest[len(end) :])
     return body + rest, (sentences.END_ASSUMED.format(characters=missing),)
@@ -113,7 +112,7 @@ def _split_end(body: bytes, end: bytes, mark: bytes) -> tuple[bytes, tuple[str, 
 
 # Times, words and marks such as `RX:`, `Tx`, `>` or `<-` may come before the bytes, and a comment after them.
 
-_DIRECTIONS = {word: direction for direction, words in sentences.DIRECTION_WORDS.items() for word in words}
+_DIRECTIONS = {word: direction for direction, words in sentences.DIRECTION_WORDS for word in words}
 # Each mark is tried, and a line of a log has few.
 _MOST_MARKS = 8
 _MARK = (
@@ -170,7 +169,8 @@ def log_line(text: str, links: Collection[Link]) -> LogLine | None:
             continue
         return LogLine(frame, _direction(text, marks[: number + 1], links), remarks)
     try:
-        return LogLine(*_unmarked(text, links))
+        frame, direction, remarks = _unmarked(text, links)
+        return LogLine(frame, direction, remarks)
     except _NoBytes:
         direction = _direction(text, marks, links)
         if not direction:
@@ -192,12 +192,11 @@ def _can_frame(text: str) -> bytes:
     if match is None:
         return b""
     data = bytes.fromhex((match["data"] or match["bytes"] or "").strip())
-    remote = CAN_REMOTE if match["remote"] or match["words"] else 0
+    is_remote = bool(match["remote"] or match["words"])
     size = int(match["dlc"] or match["count"] or len(data))
-    if not remote and size != len(data):
+    if not is_remote and size != len(data):
         return b""
-    flags = remote | (CAN_EXTENDED if len(match["identifier"]) > 3 else 0)
-    return (int(match["identifier"], 16) | flags).to_bytes(4, "big") + bytes((size, 0, 0, 0)) + data
+    return can_frame_bytes(int(match["identifier"], 16), len(match["identifier"]) > 3, is_remote, size, data)
 
 
 class _NoBytes(Unreadable):
