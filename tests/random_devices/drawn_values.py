@@ -205,10 +205,12 @@ def _digits(draft: Draft, place: str) -> Spec:
         keys["byte_order"] = draft.pick(("little", "big"))
     if form.endswith("hex") and size % 2 == 0 and place != "signal" and draft.chance(40):
         keys["byte_order"] = "little"
-    use = draft.pick(("bare", "range", "scaled", "enum", "sentinel"))
+    use = draft.pick(("bare", "range", "scaled", "enum", "sentinel", "const"))
     if use == "enum":
         _enum(draft, keys, low, high)
-    elif use != "bare":
+    elif use == "const" and place in ("field", "register"):
+        keys["const"] = draft.edge(low, high)
+    elif use not in ("bare", "const"):
         if use != "range":
             _scale(draft, keys, place)
         _range(draft, keys, low, high, place, use == "sentinel")
