@@ -15,6 +15,7 @@ from fieldspec.codec.layout.widths import WidthError, extents, image_of, image_w
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, spread
 from fieldspec.tools.captures.decoders import Decoders, ValueColumns
+from fieldspec.tools.captures.part_numbers import field_numbers
 from fieldspec.tools.captures.slots import Slot, deepened, slots, with_deep_rooms
 from fieldspec.tools.captures.verdicts import (
     INCOMPLETE,
@@ -367,7 +368,7 @@ def _is_met(presence: PresenceLayout, bits: Numbers) -> Mask:
 
 def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
     """The numbers of a field of records that begin at some places."""
-    return number_at(buffer, offsets + field.offset, field.size, field.order, swapped=field.swapped)
+    return field_numbers(field, buffer, offsets + field.offset)
 
 
 def _deciding(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
