@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from random_devices.draft import SIZES, Draft, Spec, bounds
 from random_devices.drawn_records import body, draw_separator, telegram
+from random_devices.drawn_values import COUNT_DIGITS
 
 
 def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> list[Spec]:
@@ -113,7 +114,7 @@ def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
     low, high = bounds(kind)
     sent: Spec = {"type": kind}
     if draft.digits(15):
-        sent, high = draft.pick(_SUBCODE_DIGITS)
+        sent, high = draft.pick(COUNT_DIGITS)
         low = 0
     numbers: set[int] = set()
     directions = ("request", "response") if draft.chance(65) else ("request",)  # or only the requests tell them apart
@@ -132,17 +133,6 @@ def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
         choice: Spec = {"const": number} if end == number else {"range": f"{number}..{end}"}
         for direction in directions:
             message[direction] = [draft.fact(**sent, **choice), *message[direction]]
-
-
-_SUBCODE_DIGITS: tuple[tuple[Spec, int], ...] = (
-    ({"type": "u8", "digits": "upper_hex", "length": 2}, 0xFF),
-    ({"type": "u16", "digits": "lower_hex", "length": 4, "byte_order": "little"}, 0xFFFF),
-    ({"type": "u32", "digits": "decimal", "length": 5, "places": 2}, 9999),
-    ({"type": "u16", "digits": "decimal", "length": 3, "padding": "space"}, 999),
-    ({"type": "u16", "digits": "bcd", "length": 2}, 9999),
-    ({"type": "u16", "digits": "packed_decimal", "length": 2}, 999),
-)
-"""How subcodes are sent as digits, and the greatest number of each."""
 
 
 def _leave_unanswered(draft: Draft, message: Spec, links: list[str]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import Draft, Spec
-from random_devices.drawn_values import size_of, value
+from random_devices.drawn_values import COUNT_DIGITS, size_of, value
 
 
 def presence_decider(draft: Draft) -> tuple[Spec, list[Spec]]:
@@ -47,22 +47,11 @@ def continued_list(draft: Draft, presence: Spec | None) -> Spec:
     return {**decider, **keys, "more_if": draft.pick(more_ways(draft, ways))}
 
 
-COUNT_DIGITS: tuple[Spec, ...] = (
-    {"type": "u16", "digits": "decimal", "length": 3},
-    {"type": "u16", "digits": "decimal", "length": 4, "padding": "space"},
-    {"type": "u8", "digits": "upper_hex", "length": 2},
-    {"type": "u16", "digits": "lower_hex", "length": 4, "byte_order": "little"},
-    {"type": "u16", "digits": "bcd", "length": 2},
-    {"type": "u16", "digits": "packed_decimal", "length": 2},
-)
-"""How numbers of elements or bytes are sent as digits."""
-
-
 def list_counter(draft: Draft, repeated: Spec, measure: Spec, kinds: tuple[str, ...]) -> Spec:
     """A field that counts a list: as a whole, or now and then in some of its bits."""
     kind = draft.pick(kinds)
     if draft.digits(10):
-        return draft.fact(**draft.pick(COUNT_DIGITS), measures=measure)
+        return draft.fact(**draft.pick(COUNT_DIGITS)[0], measures=measure)
     if not draft.chance(30):
         return draft.fact(type=kind, measures=measure)
     size = size_of(repeated) if "bytes" in measure and "record" not in repeated else 1

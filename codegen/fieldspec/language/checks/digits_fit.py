@@ -1,8 +1,8 @@
 """The `length` of a number that is sent as digits has room for the digits, and its type holds all numbers that they can
 express. A signed hexadecimal number has the digits of its whole type. Reserved fields, selectors, and fields that read
 or write registers are not sent as digits; a part of a frame may be any of these, and its digits have no sign. The
-digits of a constant do not vary; those of a field that measures another one do not vary either, and have neither a sign
-nor a point. `padding: space` needs decimal digits of a fixed width with room for a blank. On links with
+digits of a constant do not vary. The digits of a field that measures another one do not vary either, and have neither a
+sign nor a point. `padding: space` needs decimal digits of a fixed width with room for a blank. On links with
 `transmission: hex_ascii`, where every byte is sent as two characters anyway, digits are a warning.
 
 Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
@@ -193,8 +193,8 @@ def _use(fact: Fact, value: Value) -> str:
     if value.const is not None and value.codec:
         return "is a constant"
     if isinstance(fact, Field) and fact.measures is not None:
-        is_plain = not (value.codec or value.width or value.places or is_signed(value.type.encoding))
-        return "" if is_plain else f"contains the size of {fact.measures.field}"
+        can_count = not (value.codec or value.width or value.places or is_signed(value.type.encoding))
+        return "" if can_count else f"contains the size of {fact.measures.field}"
     return "is reserved" if getattr(fact, "reserved", False) else ""
 
 

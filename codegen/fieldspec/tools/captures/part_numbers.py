@@ -25,8 +25,11 @@ def part_numbers(part: PartLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
 
 
 def field_numbers(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
-    """The numbers of a field without a sign at some places, modulo 2^64; any where the bytes are not its digits."""
-    value = field.value
+    """The numbers of a field without a sign in records that begin at some places, modulo 2^64.
+
+    They are any numbers where the bytes are not its digits.
+    """
+    value, offsets = field.value, offsets + field.offset
     if value is None or not value.digits:
         return number_at(buffer, offsets, field.size, field.order, swapped=field.swapped)
     if value.has_characters and not value.has_blanks:
