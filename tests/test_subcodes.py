@@ -153,3 +153,43 @@ def test_subcodes_of_two_words_tell_messages_apart_in_any_order_of_words(
         reply = getattr(module, f"{name.title()}Response")()
         assert module.line.decode_response(frame).message == reply
         assert explained(layout, "line", "response", frame).message == name
+
+
+AS_DIGITS = """
+links:
+  - name: line
+    byte_order: big
+    frame: [{name: command, role: code, type: u8}, {name: data, role: body}]
+messages:
+  - name: start
+    code: 8
+    request: [{name: which, type: u8, digits: upper_hex, length: 2, const: 0x8A}]
+    response: [{name: which, type: u8, digits: upper_hex, length: 2, const: 0x8A}]
+  - name: halt
+    code: 8
+    request: [{name: which, type: u8, digits: upper_hex, length: 2, const: 0x80}]
+    response:
+      - {name: which, type: u8, digits: upper_hex, length: 2, const: 0x80}
+      - {name: count, type: u8, digits: decimal, length: 2, measures: {items: values}}
+      - {name: values, type: u8, repeat: 0..20}
+"""
+
+
+def test_digits_tell_messages_apart_and_count_lists() -> None:
+    layout = device_layout(gadget(AS_DIGITS).at("")[0])
+    module, line = module_apart(layout, "subcodes_digits"), codec(layout).links["line"]
+    start, halt = b"\x088A", b"\x088012" + bytes(12)
+    assert module.line.encode_response(module.StartResponse()) == start
+    assert module.line.encode_response(module.HaltResponse([0] * 12)) == halt
+    assert module.line.decode_response(start).message == module.StartResponse()
+    for frame, name, reason in ((start, "start", ()), (halt, "halt", ()), (halt[:-1], "halt", ("wrong_measure",))):
+        explanation = explained(layout, "line", "response", frame)
+        assert (explanation.message, explanation.reasons) == (name, reason)
+    for frame, reason in ((halt[:-1], "wrong_measure"), (halt.replace(b"12", b"1x"), "unknown_value")):
+        for decode in (
+            lambda frame=frame: line.decode(frame, "response"),
+            lambda frame=frame: module.line.decode_response(frame),
+        ):
+            with pytest.raises((CodecError, codec_error())) as refused:
+                decode()
+            assert refused.value.reason == reason

@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from random_devices.draft import SIZES, Draft, Spec, bounds
 from random_devices.drawn_records import body, draw_separator, telegram
+from random_devices.drawn_values import COUNT_DIGITS
 
 
 def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> list[Spec]:
@@ -111,6 +112,10 @@ def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
     """
     kind = draft.pick(("u8", "u16", "i8", "i16", "u8", "u16", "u24", "u32", "i32", "u40", "i56", "u64", "i64"))
     low, high = bounds(kind)
+    sent: Spec = {"type": kind}
+    if draft.digits(15):
+        sent, high = draft.pick(COUNT_DIGITS)
+        low = 0
     numbers: set[int] = set()
     directions = ("request", "response") if draft.chance(65) else ("request",)  # or only the requests tell them apart
     sharing = drawn[: draft.number(2, 4)]
@@ -124,10 +129,10 @@ def _share_codes(draft: Draft, drawn: list[Spec]) -> None:
     first = draft.number(0, len(ordered) - 1)
     for message, number in zip(sharing, [*ordered[first:], *ordered[:first]], strict=True):
         message["code"] = drawn[0]["code"]
-        end = draft.number(number, ends[number]) if kind == "u8" and draft.chance(50) else number
+        end = draft.number(number, ends[number]) if sent == {"type": "u8"} and draft.chance(50) else number
         choice: Spec = {"const": number} if end == number else {"range": f"{number}..{end}"}
         for direction in directions:
-            message[direction] = [draft.fact(type=kind, **choice), *message[direction]]
+            message[direction] = [draft.fact(**sent, **choice), *message[direction]]
 
 
 def _leave_unanswered(draft: Draft, message: Spec, links: list[str]) -> None:

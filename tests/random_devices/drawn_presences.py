@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import Draft, Spec
-from random_devices.drawn_values import size_of, value
+from random_devices.drawn_values import COUNT_DIGITS, size_of, value
 
 
 def presence_decider(draft: Draft) -> tuple[Spec, list[Spec]]:
@@ -50,6 +50,8 @@ def continued_list(draft: Draft, presence: Spec | None) -> Spec:
 def list_counter(draft: Draft, repeated: Spec, measure: Spec, kinds: tuple[str, ...]) -> Spec:
     """A field that counts a list: as a whole, or now and then in some of its bits."""
     kind = draft.pick(kinds)
+    if draft.digits(10):
+        return draft.fact(**draft.pick(COUNT_DIGITS)[0], measures=measure)
     if not draft.chance(30):
         return draft.fact(type=kind, measures=measure)
     size = size_of(repeated) if "bytes" in measure and "record" not in repeated else 1

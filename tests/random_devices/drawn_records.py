@@ -5,7 +5,7 @@ from __future__ import annotations
 from random_devices.draft import BOUNDS, Draft, RecordDraft, Spec
 from random_devices.drawn_choices import choice_counter, closed_enums, deciding_fields
 from random_devices.drawn_presences import continued_list, list_counter, more_ways, optional_field, presence_decider
-from random_devices.drawn_values import packed_list, size_of, value, varying_text, varying_value
+from random_devices.drawn_values import COUNT_DIGITS, packed_list, size_of, value, varying_text, varying_value
 
 
 def records(draft: Draft) -> list[Spec]:
@@ -329,8 +329,8 @@ def _counting(draft: Draft, fields: list[Spec]) -> list[Spec]:
     if not countable:
         return fields
     other = draft.pick(countable)
-    measure = draft.fact(type=draft.pick(("u16", "u8")), measures=_measure(draft, other))
-    return _inserted(draft, fields, measure)
+    sent = draft.pick(COUNT_DIGITS)[0] if draft.digits(15) else {"type": draft.pick(("u16", "u8"))}
+    return _inserted(draft, fields, draft.fact(**sent, measures=_measure(draft, other)))
 
 
 def _inserted(draft: Draft, fields: list[Spec], field: Spec) -> list[Spec]:

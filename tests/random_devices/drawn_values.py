@@ -24,6 +24,15 @@ FLOATS = {
     "f64": (1000, 5000, (9999, -1, 70000, 0), (0x7FF8 << 48, 2**64 - 1)),
 }
 """For each type: the greatest bound and span of ranges, numbers that are states, and bits of NaN, quiet ones first."""
+COUNT_DIGITS: tuple[tuple[Spec, int], ...] = (
+    ({"type": "u8", "digits": "upper_hex", "length": 2}, 0xFF),
+    ({"type": "u16", "digits": "lower_hex", "length": 4, "byte_order": "little"}, 0xFFFF),
+    ({"type": "u32", "digits": "decimal", "length": 5, "places": 2}, 9999),
+    ({"type": "u16", "digits": "decimal", "length": 3, "padding": "space"}, 999),
+    ({"type": "u16", "digits": "bcd", "length": 2}, 9999),
+    ({"type": "u16", "digits": "packed_decimal", "length": 2}, 999),
+)
+"""How subcodes and sizes of lists are sent as digits, and the greatest number of each."""
 UNITS = ("mm", "rpm", "%", "ms", "V", "pulse", "°C")
 
 
@@ -205,10 +214,12 @@ def _digits(draft: Draft, place: str) -> Spec:
         keys["byte_order"] = draft.pick(("little", "big"))
     if form.endswith("hex") and size % 2 == 0 and place != "signal" and draft.chance(40):
         keys["byte_order"] = "little"
-    use = draft.pick(("bare", "range", "scaled", "enum", "sentinel"))
+    use = draft.pick(("bare", "range", "scaled", "enum", "sentinel", "const"))
     if use == "enum":
         _enum(draft, keys, low, high)
-    elif use != "bare":
+    elif use == "const" and place in ("field", "register"):
+        keys["const"] = draft.edge(low, high)
+    elif use not in ("bare", "const"):
         if use != "range":
             _scale(draft, keys, place)
         _range(draft, keys, low, high, place, use == "sentinel")

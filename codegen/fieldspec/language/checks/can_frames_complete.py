@@ -40,7 +40,7 @@ def can_frames_complete(device: Device) -> Iterator[Diagnostic]:
             for part in (*link.request, *link.response):
                 if part.bits is not None:
                     text = f"{part.name} has `bits`, but {link.name} is not a CAN bus"
-                    yield finding(_CODE, part.place, "bits", text, "remove `bits`, or add `can` to the link")
+                    yield finding(_CODE, part.place, "bits", text, "state the whole byte, or add `can` to the link")
             continue
         yield from _without_foreign_keys(link)
         own = [_identifier(link.parts(direction)) for direction in ("request", "response")]

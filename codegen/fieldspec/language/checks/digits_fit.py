@@ -1,17 +1,17 @@
 """The `length` of a number that is sent as digits has room for the digits, and its type holds all numbers that they can
-express. A signed hexadecimal number has the digits of its whole type. Constants, reserved fields, sizes of other
-fields, selectors, and fields that read or write registers are not sent as digits; a part of a frame may be any of
-these, and its digits have no sign. `padding: space` needs decimal digits of a fixed width with room for a blank. On
-links with `transmission: hex_ascii`, where every byte is sent as two characters anyway, digits are a warning.
+express. A signed hexadecimal number has the digits of its whole type. Reserved fields, selectors, and fields that read
+or write registers are not sent as digits; a part of a frame may be any of these, and its digits have no sign. The
+digits of a constant do not vary. The digits of a field that measures another one do not vary either, and have neither a
+sign nor a point. `padding: space` needs decimal digits of a fixed width with room for a blank. On links with
+`transmission: hex_ascii`, where every byte is sent as two characters anyway, digits are a warning.
 
 Why: digits that the type cannot hold would be read as another number, and an output that expects binary numbers would
 misread the characters as a number.
 
 Example: `{name: flow, type: u8, digits: decimal, length: 3}`, as 999 does not fit a `u8`.
 
-Fix: Use the next wider type with a `range`, or correct `length`. Write a constant of a text line as the bytes of its
-characters: `{name: mark, type: u8, const: 0x2C}` is a comma. On a link with `transmission: hex_ascii`, state the number
-as a binary one: its bytes become the hexadecimal digits.
+Fix: Use the next wider type with a `range`, or correct `length`. On a link with `transmission: hex_ascii`, state the
+number as a binary one: its bytes become the hexadecimal digits.
 """
 
 from __future__ import annotations
@@ -113,6 +113,9 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     elif is_signed(kind.encoding) and value.digits.endswith("hex") and digit_count(value) != 2 * kind.size:
         text = f"{fact.name} is {kind.name}, which has {2 * kind.size} hexadecimal digits and not {value.size}"
         yield finding(_CODE, fact.place, "length", text, "use the type with the same number of digits")
+    elif value.width and value.const is not None:
+        text = f"{fact.name} is a constant, whose digits do not vary"
+        yield finding(_CODE, fact.place, "varies", text, "remove it, and count the digits in `length`")
     elif digit_bounds(value)[1] > kind.high:
         text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
         yield finding(_CODE, fact.place, "type", text, _wider(fact, value))
@@ -187,10 +190,11 @@ def _of_part(part: Part, value: Value) -> Iterator[Diagnostic]:
 
 def _use(fact: Fact, value: Value) -> str:
     """The purpose of a value that outputs read as a binary number; empty for other values."""
-    if value.const is not None:
+    if value.const is not None and value.codec:
         return "is a constant"
     if isinstance(fact, Field) and fact.measures is not None:
-        return f"contains the size of {fact.measures.field}"
+        can_count = not (value.codec or value.width or value.places or is_signed(value.type.encoding))
+        return "" if can_count else f"contains the size of {fact.measures.field}"
     return "is reserved" if getattr(fact, "reserved", False) else ""
 
 

@@ -82,7 +82,7 @@ def _of_field(field: Field, measure: Measure, measured: Field, sizes: RecordSize
         yield finding(
             _CODE, field.place, "measures", f"{text}, but no number of {unit} is below zero", help, related_label
         )
-    type_text, limit = field.value.type.name, field.value.type.high
+    type_text, limit = field.value.type.name, field.value.high
     if measure.bits is not None:
         low, high = measure.bits
         type_text, limit = f"bits {low}..{high}", (2 << high - low) - 1

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from fieldspec.foundation.classes import TYPE_CHECKING
+from fieldspec.language.model.digits import digit_bounds, digits_bytes
 from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.raw_numbers import orders_of
 
@@ -25,15 +26,20 @@ def constant_at(field: Field, offset: int, order: str, word_order: str) -> tuple
     """The place and the unsigned number of a constant of at most `WIDEST` bytes, None for any other field.
 
     `order` and `word_order` apply to values without their own. The number is that of the bytes as they are sent, in the
-    order of the bytes of a word: that of 0x12345678 with its low word first is 0x56781234.
+    order of the bytes of a word: that of 0x12345678 with its low word first is 0x56781234, and that of digits
+    the number of their bytes. Digits with a sign have no place, as a zero can have either sign.
     """
     value = field.value
     if value is None or value.const is None or field.reserved or field.count is not None or field.repeat is not None:
         return None
-    if not is_count(value.encoding) or value.size > WIDEST:
+    if not is_count(value.encoding) or value.width or value.size > WIDEST:
         return None
-    own = (value.byte_order or order) if value.size > 1 else "big"
+    own = (value.byte_order or order) if value.size > 1 and not value.has_characters else "big"
     number = value.const & (1 << 8 * value.size) - 1
+    if value.digits:
+        if value.codec or is_signed(value.encoding) or not 0 <= value.const <= digit_bounds(value)[1]:
+            return None
+        number = int.from_bytes(digits_bytes(value, value.const), "big")
     if orders_of(value, order, word_order)[1]:
         words = [number >> 16 * word & 0xFFFF for word in range(value.size // 2)]
         number = sum(word << 16 * place for place, word in enumerate(reversed(words)))

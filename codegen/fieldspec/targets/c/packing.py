@@ -105,7 +105,7 @@ def check_members(naming: Naming, device: Device, record: RecordLayout) -> Body:
 def check_unpacked(naming: Naming, device: Device, record: RecordLayout) -> Body:
     """Refuses values that have been read; fields that measure others come last."""
     body: Body = ()
-    for field in sorted(record.fields, key=lambda field: field.field.measures is not None):
+    for field in record.fields:
 
         def check(source: Expression, value: Expression, field: FieldLayout = field) -> Body:
             if field.record is not None:
@@ -113,16 +113,28 @@ def check_unpacked(naming: Naming, device: Device, record: RecordLayout) -> Body
                     return ()
                 decode = naming.function("record", field.record.name, "decode")
                 return return_error(naming, Call(decode, (source, unsigned(field.size), address_of(value))))
-            if field.field.measures is not None:
-                measured = measured_size(record, field, OUT)
-                return refuse(
-                    naming, different(load(naming, field_value(field), source), measured), "err_wrong_measure"
-                )
             if field.field.reserved:
                 return ()
-            return check_loaded(naming, device, field_value(field), source, value)
+            wire = field_value(field)
+            number = load(naming, wire, source) if field.field.measures is not None else value
+            return check_loaded(naming, device, wire, source, number)
 
         body += walk_elements(record, field, check, OUT, IN)
+    return (*body, *check_measures(naming, record))
+
+
+def check_measures(naming: Naming, record: RecordLayout) -> Body:
+    """Refuses numbers that have been read and do not measure what was read: errors of other fields come first."""
+    body: Body = ()
+    for field in record.fields:
+        if field.field.measures is None:
+            continue
+
+        def compare(source: Expression, value: Expression, field: FieldLayout = field) -> Body:
+            wrong = different(load(naming, field_value(field), source), measured_size(record, field, OUT))
+            return refuse(naming, wrong, "err_wrong_measure")
+
+        body += walk_elements(record, field, compare, OUT, IN)
     return body
 
 

@@ -52,7 +52,7 @@ from fieldspec.targets.c.fields import (
 from fieldspec.targets.c.inner_lists import decided_sizes, decode_inner_lists, encode_inner_lists
 from fieldspec.targets.c.literals import ZERO, unsigned
 from fieldspec.targets.c.naming import Naming
-from fieldspec.targets.c.packing import check_members, check_unpacked, declare_packing, is_packed
+from fieldspec.targets.c.packing import check_measures, check_members, check_unpacked, declare_packing, is_packed
 from fieldspec.targets.c.presences import check_presences, counts_in_image, following, present_sizes
 from fieldspec.targets.c.statements import (
     Assignment,
@@ -66,6 +66,7 @@ from fieldspec.targets.c.statements import (
     return_if,
 )
 from fieldspec.targets.c.values import (
+    check_loaded,
     decode_value,
     encode_value,
     field_value,
@@ -196,11 +197,6 @@ def _encoded_size(record: RecordLayout) -> Expression:
     return Group(add(unsigned(last.offset), multiply(count, element_size(record, last))))
 
 
-def _measuring_last(record: RecordLayout) -> list[FieldLayout]:
-    """The fields, those last that measure others: errors of the others come first."""
-    return sorted(record.fields, key=lambda field: field.field.measures is not None)
-
-
 def _write_fields(naming: Naming, device: Device, record: RecordLayout, checked: bool) -> Body:
     """Checks the values of a record and writes them. `checked` says that a packed one has a function for checks."""
     if is_packed(record):
@@ -208,7 +204,8 @@ def _write_fields(naming: Naming, device: Device, record: RecordLayout, checked:
         checks = return_error(naming, Call(check, (IN,))) if checked else ()
         return (*checks, call(pack, IN, OUT))
     body: Body = ()
-    for field in _measuring_last(record):
+    # Those that measure others come last: refusals of the others come first.
+    for field in sorted(record.fields, key=lambda field: field.field.measures is not None):
         decider = field.selector or record.selector
         if field.cases and decider is not None:
 
@@ -326,7 +323,7 @@ def _read_fields(naming: Naming, device: Device, record: RecordLayout) -> Body:
         unpack = call(naming.function("record", record.name, "unpack"), IN, OUT)
         return (unpack, *check_unpacked(naming, device, record))
     body: Body = ()
-    for field in _measuring_last(record):
+    for field in record.fields:
         decider = field.selector or record.selector
         if field.cases and decider is not None:
 
@@ -340,7 +337,8 @@ def _read_fields(naming: Naming, device: Device, record: RecordLayout) -> Body:
             body = (*body, switch_cases(naming, field, decider, number, read_case))
         else:
             body += walk_elements(record, field, _field_reader(naming, device, record, field), OUT, IN)
-    return (*body, *check_bit_count(naming, record, OUT), *check_presences(naming, record, OUT))
+    checks = check_measures(naming, record)
+    return (*body, *checks, *check_bit_count(naming, record, OUT), *check_presences(naming, record, OUT))
 
 
 def _field_reader(naming: Naming, device: Device, record: RecordLayout, field: FieldLayout) -> ElementBody:
@@ -351,8 +349,7 @@ def _field_reader(naming: Naming, device: Device, record: RecordLayout, field: F
             return _read_record(naming, device, field.record, value, source)
         wire = field_value(field)
         if field.field.measures is not None:
-            measured = measured_size(record, field, OUT)
-            return refuse(naming, different(load(naming, wire, source), measured), "err_wrong_measure")
+            return check_loaded(naming, device, wire, source, load(naming, wire, source))
         if field.field.reserved:
             return ()
         return decode_value(naming, device, wire, source, value)

@@ -126,9 +126,9 @@ def _write_implied(record: RecordLayout, member: Member, names: Names, keys: Map
     number = slot.value.const
     if number is None:
         number = slot.value.default if isinstance(slot.value.default, int) else 0
-    if not number:
-        return []
     encoding = slot.value.encoding
+    if not number and not isinstance(encoding, Digits):
+        return []
     match encoding:
         case Text() | Octets():
             return []

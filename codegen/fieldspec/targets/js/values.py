@@ -8,7 +8,14 @@ from collections.abc import Iterator
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import NIBBLES, PACKED_DECIMAL, digits_letters, has_sign, is_complement
+from fieldspec.language.model.digits import (
+    NIBBLES,
+    PACKED_DECIMAL,
+    digits_bytes,
+    digits_letters,
+    has_sign,
+    is_complement,
+)
 from fieldspec.language.model.encoding import (
     Digits,
     Octets,
@@ -346,10 +353,12 @@ class Slot:
 
     def constant(self, number: int, base: str, offset: int) -> list[str]:
         """The statements that write a number that is known."""
-        data = whole_bits(Whole(8 * self.size, sign_of(self.value.encoding)), number).to_bytes(self.size, "big")
-        return [
-            f"{byte(base, offset + index)} = {value};" for index, value in zip(self.places, data, strict=True) if value
-        ]
+        places = tuple(range(self.size)) if self.value.has_characters else self.places
+        if self.value.digits:
+            data = digits_bytes(self.value, number)
+        else:
+            data = whole_bits(Whole(8 * self.size, sign_of(self.value.encoding)), number).to_bytes(self.size, "big")
+        return [f"{byte(base, offset + index)} = {value};" for index, value in zip(places, data, strict=True) if value]
 
 
 def sign_literal(value: Value) -> str:

@@ -15,6 +15,7 @@ from fieldspec.codec.layout.widths import WidthError, extents, image_of, image_w
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, spread
 from fieldspec.tools.captures.decoders import Decoders, ValueColumns
+from fieldspec.tools.captures.part_numbers import field_numbers
 from fieldspec.tools.captures.slots import Slot, deepened, slots, with_deep_rooms
 from fieldspec.tools.captures.verdicts import (
     INCOMPLETE,
@@ -99,7 +100,7 @@ class BodyReader:
             return
         selector = self.record.selector
         short = selector.offset + selector.size > size
-        number = _number(selector, buffer, offsets)
+        number = field_numbers(selector, buffer, offsets)
         blame(verdict, short | (size < self.record.least), INCOMPLETE)
         decided = short.copy()
         for key in np.unique(number[~short]).tolist():
@@ -294,7 +295,7 @@ class BodyReader:
         """
         self._judge_presence(slot, buffer, offsets, size, counts, verdict)
         if slot.layout is slot.field and slot.layout.bits_of:
-            number = _number(slot.layout, buffer, offsets)
+            number = field_numbers(slot.layout, buffer, offsets)
             wrong = (number + 7) // 8 != np.maximum(counts[slot.layout.bits_of], 0)
             blame(verdict, wrong & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
             return
@@ -309,7 +310,7 @@ class BodyReader:
         items = np.clip((size - other.offset) // max(other.size, 1), 0, counts[other.name])
         items = np.maximum(items, 0) if other.is_list else np.ones(len(offsets), np.int64)
         expected = (items * other.size if measure.of == "bytes" else items) + measure.plus
-        number = _number(slot.layout, buffer, offsets)
+        number = field_numbers(slot.layout, buffer, offsets)
         if room is not None:
             expected = counts[other.name] * (other.size if measure.of == "bytes" else 1) + measure.plus
             blame(verdict, (number != expected) & (counts[other.name] >= 0), WRONG_MEASURE)
@@ -331,7 +332,7 @@ class BodyReader:
         for other in self.record.fields if slot.layout is slot.field else ():
             presence = other.presence
             if presence is not None and presence.by == slot.field.name:
-                bits = _number(slot.layout, buffer, offsets) & presence.mask
+                bits = field_numbers(slot.layout, buffer, offsets) & presence.mask
                 items = counts[other.name]
                 wrong = _is_met(presence, bits) != (items > 0)
                 if other.has_count_in_bits:
@@ -365,15 +366,10 @@ def _is_met(presence: PresenceLayout, bits: Numbers) -> Mask:
     return bits > 0 if presence.is_any else np.isin(bits, presence.number_list)
 
 
-def _number(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
-    """The numbers of a field of records that begin at some places."""
-    return number_at(buffer, offsets + field.offset, field.size, field.order, swapped=field.swapped)
-
-
 def _deciding(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
     """The numbers that decide the type of a field of such records."""
     assert field.selector is not None
-    number = _number(field.selector, buffer, offsets)
+    number = field_numbers(field.selector, buffer, offsets)
     return number if field.deciding_bits is None else number & field.deciding_bits
 
 

@@ -239,8 +239,7 @@ class LinkDecoder:
                 for field_name, column in ((access.start, rows.address), (access.count, rows.count)):
                     field = record.named(field_name) if field_name else None
                     if field is not None:
-                        offsets = rows.body[own] + field.offset
-                        column[own] = field_numbers(field, rows.buffer(side), offsets)
+                        column[own] = field_numbers(field, rows.buffer(side), rows.body[own])
                 if not access.count:
                     values = record.named(access.values)
                     holder = message.request if access.operation == "write" else message.response

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from fieldspec.codec.explain.values import number_of as number_of_bytes
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.codec.layout.word_digits import has_word_digits
@@ -24,10 +25,20 @@ def part_numbers(part: PartLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
 
 
 def field_numbers(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
-    """The numbers of a field without a sign at some places, modulo 2^64; any where the bytes are not its digits."""
-    if field.value is None or not field.value.digits:
+    """The numbers of a field without a sign in records that begin at some places, modulo 2^64.
+
+    They are any numbers where the bytes are not its digits.
+    """
+    value, offsets = field.value, offsets + field.offset
+    if value is None or not value.digits:
         return number_at(buffer, offsets, field.size, field.order, swapped=field.swapped)
-    return _number(field.value, field.size, buffer, offsets)
+    if value.has_characters and not value.has_blanks:
+        return _number(value, field.size, buffer, offsets)
+    table = buffer.take(offsets[:, None] + np.arange(field.size), mode="clip")
+    distinct, index = np.unique(table, axis=0, return_inverse=True)
+    numbers = (number_of_bytes(value, row.tobytes(), field.order, field.swapped) for row in distinct)
+    raw = np.array([number if isinstance(number, int) else 0 for number in numbers], np.uint64)
+    return raw.view(np.int64)[index.reshape(-1)]
 
 
 def with_word_bytes(
