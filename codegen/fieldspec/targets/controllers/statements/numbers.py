@@ -3,7 +3,17 @@
 from __future__ import annotations
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.model.encoding import Digits, Encoding, Octets, Precision, Real, Sign, Text, Truth, Whole
+from fieldspec.language.model.encoding import (
+    Digits,
+    Encoding,
+    Octets,
+    OfPrecision,
+    Real,
+    Sign,
+    Text,
+    Truth,
+    Whole,
+)
 from fieldspec.targets.controllers.statements.expressions import SIGNED, UNSIGNED, Elementary
 
 
@@ -43,11 +53,4 @@ def is_single(encoding: Encoding) -> bool:
             assert_never(encoding)
 
 
-def _is_within_single(precision: Precision) -> bool:
-    match precision:
-        case Precision.HALF | Precision.SINGLE:
-            return True
-        case Precision.DOUBLE:
-            return False
-        case _:
-            assert_never(precision)
+_is_within_single = OfPrecision(half=True, single=True, double=False)
