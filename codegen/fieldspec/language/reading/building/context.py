@@ -5,16 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from decimal import Decimal
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any, TypeAlias, TypeVar, cast
 
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.source import Span
 from fieldspec.language.diagnostics import Diagnostic, Label
-from fieldspec.language.model.fact import Citation, Claim, Place, Report, ScalarValue, Standard
+from fieldspec.language.model.fact import Citation, Claim, Fact, Place, Report, ScalarValue, Standard
 from fieldspec.language.model.ranges import Ranges, intervals, whole_intervals
 from fieldspec.language.model.value import HANDLING_KEYS, UNSPECIFIED, Handling
 from fieldspec.language.reading.nodes import CHECKED, Mapping, Node, Scalar, Sequence, exact, with_checked_keys
+
+M = TypeVar("M")
 
 _CLAIM_META = ("source", "doc")
 _REPORT_META = ("by", "how")
@@ -228,18 +230,24 @@ class Entry:
                     arguments[argument] = read(self, key)
         return arguments
 
+    def made(self, model: type[M], **stated: Any) -> M:
+        """An object of the model: what is not stated here is under the keys with the names of its attributes."""
+        arguments = self.fact() if issubclass(model, Fact) else {}
+        absent, readers, about = _keys_of(model.__mro__)
+        arguments |= absent
+        for name in about:
+            arguments[name] = self.place() if name == "place" else self.sources
+        for holder in (self.node,) if self.defaults is None else (self.defaults, self.node):
+            for key in holder.values.keys() & readers.keys():
+                arguments[key] = readers[key](self, key)
+        return model(**arguments | stated)
+
     def handling(self) -> Handling:
         """The handling of the value."""
         if self.defaults is None and self.own.keys().isdisjoint(HANDLING_KEYS):
             return UNSPECIFIED
         endurance = self.value("endurance")
-        return Handling(
-            memory=self.text("memory"),
-            saved_by=self.text("saved_by"),
-            endurance="" if endurance is None else str(endurance),
-            clears_on_read=self.flag("clears_on_read"),
-            opposite_of=self.text("opposite_of"),
-        )
+        return self.made(Handling, endurance="" if endurance is None else str(endurance))
 
     def claims(self, key: str) -> tuple[Claim, ...]:
         """The statements of other places of the manual about a fact."""
@@ -274,6 +282,32 @@ class Entry:
             )
             for entry in self.entries(key, "")
         )
+
+
+_READERS: dict[str, tuple[Callable[[Entry, str], object], object]] = {
+    "str": (Entry.text, ""),
+    "tuple[str, ...]": (Entry.texts, ()),
+    "bool": (Entry.flag, False),
+    "bool | None": (Entry.maybe, None),
+    "int | None": (Entry.integer, None),
+    "Decimal | None": (Entry.decimal, None),
+}
+"""How attributes of these types are read, and what they are where the key is not given."""
+
+
+@cache
+def _keys_of(
+    classes: tuple[type, ...],
+) -> tuple[dict[str, object], dict[str, Callable[[Entry, str], object]], tuple[str, ...]]:
+    """What attributes are without keys, how their keys are read, and which say where an entry is.
+
+    They are those of a class and of those that it extends, without those that every fact has.
+    """
+    bases = [base for base in classes if base not in Fact.__mro__]
+    types = {name: kind for base in bases for name, kind in vars(base).get("__annotations__", {}).items()}
+    read = {name: _READERS[kind] for name, kind in types.items() if kind in _READERS}
+    about = tuple(name for name in ("place", "sources") if name in types)
+    return {name: own[1] for name, own in read.items()}, {name: own[0] for name, own in read.items()}, about
 
 
 _FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {

@@ -72,16 +72,14 @@ def link(entry: Entry, reused: Reused) -> Link:
         delimiters |= {key: preamble.start + delimiters[key] for key in ("start", "response_start")}
     stated = (entry.entry("start"), entry.entry("end"), entry.entry("preamble"), escaping, can)
     cited = [*entry.sources, *(source for part in stated if part for source in part.sources)]
-    return Link(
+    return entry.made(
+        Link,
         **{**entry.fact(), "sources": tuple(dict.fromkeys(cited))},
-        title=entry.text("title"),
         transmission=entry.text("transmission") or "binary",
         start=delimiters["start"],
         end=delimiters["end"],
         response_start=delimiters["response_start"],
         response_end=delimiters["response_end"],
-        byte_order=entry.text("byte_order"),
-        word_order=entry.text("word_order"),
         request=request,
         response=parts("response"),
         message_name=entry.text("message_name") or "message",
@@ -220,14 +218,7 @@ def _unit_addresses(entry: Entry, reused: Reused) -> UnitAddresses | None:
     if addresses.node in by_node:
         return cast("UnitAddresses", by_node[addresses.node])
     before = len(entry.findings)
-    result = UnitAddresses(
-        place=addresses.place(),
-        ranges=addresses.whole_ranges("range"),
-        broadcast=addresses.integer("broadcast"),
-        rule=addresses.text("rule"),
-        notes=addresses.texts("notes"),
-        sources=addresses.sources,
-    )
+    result = addresses.made(UnitAddresses, ranges=addresses.whole_ranges("range"))
     if len(entry.findings) == before:  # a finding is for every version
         by_node[addresses.node] = result
     return result
@@ -268,14 +259,10 @@ def _serial(entry: Entry) -> Serial | None:
         if default and values and default not in values:
             text = f"`default_{key}` is `{default}`, which is not in `{key}`"
             serial.refuse("wrong_form", f"default_{key}", text, f"correct it, or add it to `{key}`")
-    return Serial(
+    return serial.made(
+        Serial,
         baud=speeds,
         default_baud=usual,
         data_bits=serial.integers("data_bits"),
-        parity=serial.texts("parity"),
         stop_bits=serial.integers("stop_bits"),
-        start_bits=serial.integer("start_bits"),
-        sources=serial.sources,
-        default_data_bits=serial.integer("default_data_bits"),
-        default_parity=serial.text("default_parity"),
     )

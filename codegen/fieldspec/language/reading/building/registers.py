@@ -73,26 +73,15 @@ def _register(entry: Entry, space: str, unit_size: int) -> Register:
     address = entry.integer("at")
     if address is None:
         entry.refuse("missing_key", "at", "a register needs an address", "add it under `at`")
-    return Register(
-        **entry.fact(),
+    return entry.made(
+        Register,
         space=space,
         address=address or 0,
-        decimal=entry.integer("decimal"),
-        number=entry.integer("number"),
-        copy_of=entry.text("copy_of"),
-        words=entry.integer("words"),
         value=content,
-        access=entry.text("access"),
-        restart=entry.maybe("restart"),
-        atomic=entry.flag("atomic"),
-        trigger=entry.flag("trigger"),
-        reserved=entry.flag("reserved"),
         handling=entry.handling(),
-        same_as=entry.text("same_as"),
         count=count,
         stride=entry.integer("stride") or width,
         index_from=entry.integer("index_from") or 0,
-        element_name=entry.text("element_name"),
         element_sources=elements,
         unit_size=unit_size,
     )
@@ -116,22 +105,14 @@ def _elements(entry: Entry, count: int) -> tuple[Citation, ...]:
 
 def table(entry: Entry) -> Table:
     """The table of records that an entry states."""
-    return Table(
-        **entry.fact(),
-        title=entry.text("title"),
-        space=entry.text("space"),
+    return entry.made(
+        Table,
         base=entry.integer("base") or 0,
-        decimal=entry.integer("decimal"),
         stride=entry.integer("stride") or 1,
         count=entry.integer("count") or 1,
         index_from=entry.integer("index_from") or 0,
-        record=entry.text("record"),
-        words=entry.integer("words"),
-        access=entry.text("access"),
         handling=entry.handling(),
         elements=tuple(_printed_element(inner) for inner in entry.entries("elements")),
-        count_by=entry.text("count_by"),
-        base_by=entry.text("base_by"),
     )
 
 
@@ -176,21 +157,13 @@ def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
 
 def _parameter(entry: Entry, type_name: str) -> Parameter:
     own_type = entry.text("type") or type_name
-    return Parameter(
-        **entry.fact(),
+    return entry.made(
+        Parameter,
         number=entry.integer("number") or 0,
-        wire_number=entry.integer("wire_number"),
         count=entry.integer("count") or 1,
         value=value(entry, type_name),
-        elements=entry.integer("elements"),
         subindices=tuple(_subindex(inner, own_type) for inner in entry.entries("subindices")),
-        applies_to=entry.texts("applies_to"),
-        messages=entry.texts("messages"),
-        access=entry.text("access"),
-        restart=entry.maybe("restart"),
-        trigger=entry.flag("trigger"),
         handling=entry.handling(),
-        reserved=entry.flag("reserved"),
     )
 
 
