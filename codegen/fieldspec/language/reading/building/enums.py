@@ -44,10 +44,7 @@ def flags(entry: Entry) -> Flags:
         type=primitive,
         ranges=entry.whole_ranges("range"),
         bits=tuple(sorted(bits, key=lambda bit: bit.first)),
-        states=tuple(
-            State(**inner.fact(), set=inner.texts("set"), clear=inner.texts("clear"))
-            for inner in entry.entries("states")
-        ),
+        states=tuple(inner.made(State) for inner in entry.entries("states")),
         bit_0=bit_0,
     )
 

@@ -146,10 +146,9 @@ def _exception_response(entry: Entry) -> ExceptionResponse:
         key = "part" if "part" in entry.own else "normal"
         entry.refuse("wrong_form", key, "`part` and `normal` need each other", "add the other one, or remove both")
     part, field, code = entry.text("part"), entry.text("field"), entry.integer("code")
-    return ExceptionResponse(
+    return entry.made(
+        ExceptionResponse,
         flag=(entry.integer("flag") or 0) if code is None and not part and not field else 0,
-        record=entry.text("record"),
-        sources=entry.sources,
         code=None if part or field else code,
         part=part,
         normal=entry.whole_ranges("normal") if part else None,
@@ -177,8 +176,8 @@ def _part(entry: Entry, link_order: str) -> Part:
             entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
     measures, covers, bits = entry.entry("measures"), entry.entry("covers"), entry.bit_range("bits")
     span = measures if role == "length" else covers if role == "checksum" else None
-    return Part(
-        **entry.fact(),
+    return entry.made(
+        Part,
         role=role,
         value=_value(entry, bits) if role in _VALUED else None,
         algorithm=surrounded_algorithm(entry, algorithm, order) if role == "checksum" else algorithm,
@@ -189,9 +188,7 @@ def _part(entry: Entry, link_order: str) -> Part:
         span=_span(span) if span is not None else PartSpan("", ""),
         unit_size=_UNIT_SIZES[span.text("in") or "bytes"] if span is not None else 1,
         plus=(span.integer("plus") or 0) if span is not None else 0,
-        reserved=entry.flag("reserved"),
         digits=digits,
-        same_as=entry.text("same_as"),
         bits=bits,
     )
 

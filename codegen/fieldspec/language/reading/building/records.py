@@ -145,10 +145,7 @@ def _choice(entry: Entry, field: Entry) -> Choice:
     shared = field.node
     for key in field.node.values.keys() - VALUE_KEYS:
         shared = shared.without(key)
-    cases = tuple(
-        Case(**inner.fact(), when=inner.texts("when"), value=value(inner))
-        for inner in entry.entries("cases", defaults=shared)
-    )
+    cases = tuple(inner.made(Case, value=value(inner)) for inner in entry.entries("cases", defaults=shared))
     return Choice(entry.text("by"), cases, entry.bit_range("bits"))
 
 
@@ -261,7 +258,7 @@ def _segments(entry: Entry) -> Segments:
 
 
 def _segments_abort(entry: Entry) -> SegmentsAbort:
-    return SegmentsAbort(entry.text("message"), entry.text("reason"), entry.text("counter"), entry.text("size"))
+    return entry.made(SegmentsAbort)
 
 
 def _accesses(entry: Entry) -> tuple[RegisterAccess, ...]:
@@ -276,15 +273,7 @@ def _accesses(entry: Entry) -> tuple[RegisterAccess, ...]:
 def _access(entry: Entry) -> RegisterAccess:
     if "clear" in entry.own and "set" not in entry.own:
         entry.refuse("wrong_form", "clear", "`clear` has no effect without `set`", "add `set`, or remove `clear`")
-    return RegisterAccess(
-        operation=entry.text("operation"),
-        start=entry.text("start"),
-        count=entry.text("count"),
-        values=entry.text("values"),
-        space=entry.text("space"),
-        set=entry.integer("set"),
-        clear=entry.integer("clear") or 0,
-    )
+    return entry.made(RegisterAccess, clear=entry.integer("clear") or 0)
 
 
 def _step(entry: Entry) -> RegisterAccess:
@@ -292,15 +281,7 @@ def _step(entry: Entry) -> RegisterAccess:
         if key in entry.own:
             text = f"`{key}` has no effect in a message with several accesses"
             entry.refuse("wrong_form", key, text, "remove it: such a message accesses words or bytes")
-    return RegisterAccess(
-        operation=entry.text("operation"),
-        start=entry.text("start"),
-        count=entry.text("count"),
-        values=entry.text("values"),
-        space=entry.text("space"),
-        and_mask=entry.text("and_mask"),
-        or_mask=entry.text("or_mask"),
-    )
+    return entry.made(RegisterAccess, set=None)
 
 
 def _data(entry: Entry, direction: str, reused: Reused) -> Record:

@@ -26,9 +26,8 @@ from fieldspec.language.reading.nodes import Mapping
 
 def address_space(entry: Entry) -> AddressSpace:
     """The address space that an entry states."""
-    return AddressSpace(
-        **entry.fact(),
-        title=entry.text("title"),
+    return entry.made(
+        AddressSpace,
         unit=entry.text("unit") or WORD,
         bounds=entry.whole_ranges("bounds") or WHOLE,
         first_number=entry.integer("first_number") or 0,
@@ -38,16 +37,14 @@ def address_space(entry: Entry) -> AddressSpace:
 def group(entry: Entry, sizes: dict[str, int], reused: Reused) -> RegisterGroup:
     """A group of registers. `sizes` has the bytes at one address by the name of each space."""
     defaults = _defaults(entry)
-    arguments = entry.fact() | {"name": entry.text("group")}
     space = entry.text("space")
     size = sizes.get(space, sizes[""])
     registers = rows(entry, "registers", defaults, reused, lambda inner: _register(inner, space, size), space, size)
     _refuse_idle_defaults(entry, [register.value for register in registers])
-    return RegisterGroup(
-        **arguments,
-        title=entry.text("title"),
+    return entry.made(
+        RegisterGroup,
+        name=entry.text("group"),
         space=space,
-        section=entry.text("section"),
         ascending=entry.text("order") != "as_listed",
         gaps=tuple(_gap(inner) for inner in entry.entries("gaps")),
         registers=registers,
@@ -118,23 +115,19 @@ def table(entry: Entry) -> Table:
 
 def _printed_element(entry: Entry) -> PrintedElement:
     first, _, last = entry.text("at").partition("..")
-    return PrintedElement(
-        place=entry.place(),
+    return entry.made(
+        PrintedElement,
         index=entry.integer("index") or 0,
         first=int(first, 16) if first else None,
         last=int(last, 16) if last else None,
-        words=entry.integer("words"),
-        sources=entry.sources,
     )
 
 
 def _subindex(entry: Entry, type_name: str) -> Subindex:
-    return Subindex(
-        **entry.fact(),
+    return entry.made(
+        Subindex,
         indices=entry.whole_ranges("index") or Ranges(()),
         value=value(entry, type_name),
-        reserved=entry.flag("reserved"),
-        access=entry.text("access"),
     )
 
 
@@ -144,13 +137,11 @@ def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
     type_name = entry.text("type")
     parameters = rows(entry, entry.path, defaults, reused, lambda inner: _parameter(inner, type_name), type_name)
     _refuse_idle_defaults(entry, [parameter.value for parameter in parameters])
-    return ParameterSet(
-        **entry.fact(),
-        title=entry.text("title"),
+    return entry.made(
+        ParameterSet,
         space=entry.text("space") or entry.text("name"),
         base=entry.integer("base") or 0,
         numbers=entry.whole_ranges("numbers"),
-        printed_as=entry.text("printed_as"),
         parameters=parameters,
     )
 

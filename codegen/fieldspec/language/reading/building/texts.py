@@ -25,9 +25,8 @@ def lookup(entry: Entry) -> Lookup:
         LookupColumn(inner.text("name"), inner.text("title"), inner.text("label"), inner.text("enum"))
         for inner in entry.entries("columns")
     )
-    return Lookup(
-        **entry.fact(),
-        title=entry.text("title"),
+    return entry.made(
+        Lookup,
         kind=entry.text("kind") or "table",
         columns=columns,
         rows=tuple(_lookup_row(inner, len(columns)) for inner in entry.entries("rows")),

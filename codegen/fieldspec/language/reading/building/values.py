@@ -218,7 +218,7 @@ def _nearest(key: str, count: Fraction, scale: Decimal | Fraction, offset: Decim
 
 def signal(entry: Entry) -> Signal:
     """The signal, a value that is placed by its name, that an entry states."""
-    return Signal(**entry.fact(), value=value(entry), direction=entry.text("direction"))
+    return entry.made(Signal, value=value(entry))
 
 
 def conversion(entry: Entry, types: dict[str, str]) -> Conversion:
