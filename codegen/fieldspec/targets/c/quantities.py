@@ -98,7 +98,7 @@ def declare_quantity(naming: Naming, scaled: ScaledValue) -> list[Declaration]:
     signed_exponent = Cast("int32_t", _EXPONENT)
     unit = f", in {value.quantity_unit}" if value.quantity_unit else ""
     valid = refuse(naming, negate(Group(_is_in(exponent.value, exponent.value.ranges, _EXPONENT))), "err_out_of_range")
-    about = comment(
+    text = comment(
         f"{scaled.title} = raw * 10^{exponent.name}{unit}; refused for a count that stands for an absent value,",
         f"and for an exponent that {exponent.name} may not have.",
     )
@@ -106,7 +106,7 @@ def declare_quantity(naming: Naming, scaled: ScaledValue) -> list[Declaration]:
         naming,
         value,
         lambda word: scaled.function(naming, word),
-        (about, "for such a count or exponent"),
+        (text, "for such a count or exponent"),
         Call(naming.own("times_power"), (Cast("double", RAW), signed_exponent)),
         Call(naming.own("over_power"), (_QUANTITY, signed_exponent)),
         (Variable(Type(type_name(exponent.value)), "exponent"),),
@@ -118,7 +118,7 @@ def _both_ways(
     naming: Naming,
     value: Value,
     function: Callable[[str], str],
-    about: tuple[Comment, str],
+    texts: tuple[Comment, str],
     quantity: Expression,
     count: Expression,
     parameters: tuple[Variable, ...] = (),
@@ -126,11 +126,11 @@ def _both_ways(
 ) -> list[Declaration]:
     """The functions from the count of a value to its quantity and back, with further parameters that are `valid`.
 
-    They are named by `function`. `about` is the comment of the first, and what the second refuses besides.
+    They are named by `function`. `texts` are the comment of the first, and what the second refuses besides.
     """
     kind, ranges = type_name(value), _writable(value)
     return [
-        about[0],
+        texts[0],
         Function(
             status_type(naming),
             function("from_raw"),
@@ -145,7 +145,7 @@ def _both_ways(
         BLANK,
         comment(
             "The count of a quantity, the nearest one, of two equally near ones the even one; refused where it",
-            f"is not in {ranges.text()}, and {about[1]}.",
+            f"is not in {ranges.text()}, and {texts[1]}.",
         ),
         Function(
             status_type(naming),
@@ -181,12 +181,12 @@ def declare_fixed_quantity(naming: Naming, absent: AbsentValue) -> list[Declarat
     value = absent.value
     scale, offset = Fraction(value.scale), Fraction(value.offset)
     unit = f", in {value.quantity_unit}" if value.quantity_unit else ""
-    about = comment(f"{absent.title} as a quantity{unit}; refused for a count that stands for {_states(value)}.")
+    text = comment(f"{absent.title} as a quantity{unit}; refused for a count that stands for {_states(value)}.")
     return _both_ways(
         naming,
         value,
         lambda word: naming.function(absent.noun, *absent.names, word),
-        (about, f"where it stands for {_states(value)}"),
+        (text, f"where it stands for {_states(value)}"),
         _plus(_times(Cast("double", RAW), scale), offset),
         _times(_QUANTITY if not offset else Group(_plus(_QUANTITY, -offset)), 1 / scale),
     )

@@ -230,12 +230,12 @@ class Entry:
                     arguments[argument] = read(self, key)
         return arguments
 
-    def made(self, model: type[M], **stated: Any) -> M:
+    def built(self, model: type[M], **stated: Any) -> M:
         """An object of the model: what is not stated here is under the keys with the names of its attributes."""
         arguments = self.fact() if issubclass(model, Fact) else {}
-        absent, readers, about = _keys_of(model.__mro__)
+        absent, readers, places = _keys_of(model.__mro__)
         arguments |= absent
-        for name in about:
+        for name in places:
             arguments[name] = self.place() if name == "place" else self.sources
         for holder in (self.node,) if self.defaults is None else (self.defaults, self.node):
             for key in holder.values.keys() & readers.keys():
@@ -247,7 +247,7 @@ class Entry:
         if self.defaults is None and self.own.keys().isdisjoint(HANDLING_KEYS):
             return UNSPECIFIED
         endurance = self.value("endurance")
-        return self.made(Handling, endurance="" if endurance is None else str(endurance))
+        return self.built(Handling, endurance="" if endurance is None else str(endurance))
 
     def claims(self, key: str) -> tuple[Claim, ...]:
         """The statements of other places of the manual about a fact."""
@@ -301,13 +301,13 @@ def _keys_of(
 ) -> tuple[dict[str, object], dict[str, Callable[[Entry, str], object]], tuple[str, ...]]:
     """What attributes are without keys, how their keys are read, and which say where an entry is.
 
-    They are those of a class and of those that it extends, without those that every fact has.
+    `classes` are a class and all that it extends. The attributes of every fact are left out.
     """
     bases = [base for base in classes if base not in Fact.__mro__]
     types = {name: kind for base in bases for name, kind in vars(base).get("__annotations__", {}).items()}
     read = {name: _READERS[kind] for name, kind in types.items() if kind in _READERS}
-    about = tuple(name for name in ("place", "sources") if name in types)
-    return {name: own[1] for name, own in read.items()}, {name: own[0] for name, own in read.items()}, about
+    places = tuple(name for name in ("place", "sources") if name in types)
+    return {name: own[1] for name, own in read.items()}, {name: own[0] for name, own in read.items()}, places
 
 
 _FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {

@@ -38,7 +38,7 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
     spaces = _by_name(root, "spaces", registers.address_space, reused)
     types = {name: signal.value.type.name for name, signal in signals.items()}
     return (
-        head.made(
+        head.built(
             Device,
             version=version,
             place=_place(head, reused),
@@ -158,7 +158,7 @@ def _manual(head: Entry) -> Manual:
     entry = head.entry("manual")
     if entry is None:
         return Manual()
-    return entry.made(
+    return entry.built(
         Manual,
         lines=entry.integer("lines") or 0,
         pages=entry.integer("pages") or 0,

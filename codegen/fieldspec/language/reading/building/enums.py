@@ -15,7 +15,7 @@ def enum(entry: Entry) -> Enum:
     derived = entry.entry("derived")
     if not entry.get("members"):
         entry.refuse("missing_key", "name", "an enum needs members", "list them under `members`")
-    return entry.made(
+    return entry.built(
         Enum,
         kind=entry.text("kind") or "enum",
         derived=(derived.text("flags") or derived.text("enum")) if derived else "",
@@ -24,7 +24,7 @@ def enum(entry: Entry) -> Enum:
 
 
 def _member(entry: Entry) -> Member:
-    return entry.made(
+    return entry.built(
         Member,
         value=entry.integer("value") or 0,
         causes=tuple(
@@ -44,7 +44,7 @@ def flags(entry: Entry) -> Flags:
         type=primitive,
         ranges=entry.whole_ranges("range"),
         bits=tuple(sorted(bits, key=lambda bit: bit.first)),
-        states=tuple(inner.made(State) for inner in entry.entries("states")),
+        states=tuple(inner.built(State) for inner in entry.entries("states")),
         bit_0=bit_0,
     )
 
@@ -68,7 +68,7 @@ def _bit(entry: Entry, highest: int | None) -> Bit:
         if not reserved:
             entry.refuse("missing_key", "bit", "a bit with a meaning needs a name", "add a `name`")
         arguments["name"] = f"reserved_{first}"
-    return entry.made(
+    return entry.built(
         Bit,
         **arguments,
         first=first,

@@ -72,7 +72,7 @@ def link(entry: Entry, reused: Reused) -> Link:
         delimiters |= {key: preamble.start + delimiters[key] for key in ("start", "response_start")}
     stated = (entry.entry("start"), entry.entry("end"), entry.entry("preamble"), escaping, can)
     cited = [*entry.sources, *(source for part in stated if part for source in part.sources)]
-    return entry.made(
+    return entry.built(
         Link,
         **{**entry.fact(), "sources": tuple(dict.fromkeys(cited))},
         transmission=entry.text("transmission") or "binary",
@@ -146,7 +146,7 @@ def _exception_response(entry: Entry) -> ExceptionResponse:
         key = "part" if "part" in entry.own else "normal"
         entry.refuse("wrong_form", key, "`part` and `normal` need each other", "add the other one, or remove both")
     part, field, code = entry.text("part"), entry.text("field"), entry.integer("code")
-    return entry.made(
+    return entry.built(
         ExceptionResponse,
         flag=(entry.integer("flag") or 0) if code is None and not part and not field else 0,
         code=None if part or field else code,
@@ -176,7 +176,7 @@ def _part(entry: Entry, link_order: str) -> Part:
             entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
     measures, covers, bits = entry.entry("measures"), entry.entry("covers"), entry.bit_range("bits")
     span = measures if role == "length" else covers if role == "checksum" else None
-    return entry.made(
+    return entry.built(
         Part,
         role=role,
         value=_value(entry, bits) if role in _VALUED else None,
@@ -215,7 +215,7 @@ def _unit_addresses(entry: Entry, reused: Reused) -> UnitAddresses | None:
     if addresses.node in by_node:
         return cast("UnitAddresses", by_node[addresses.node])
     before = len(entry.findings)
-    result = addresses.made(UnitAddresses, ranges=addresses.whole_ranges("range"))
+    result = addresses.built(UnitAddresses, ranges=addresses.whole_ranges("range"))
     if len(entry.findings) == before:  # a finding is for every version
         by_node[addresses.node] = result
     return result
@@ -256,7 +256,7 @@ def _serial(entry: Entry) -> Serial | None:
         if default and values and default not in values:
             text = f"`default_{key}` is `{default}`, which is not in `{key}`"
             serial.refuse("wrong_form", f"default_{key}", text, f"correct it, or add it to `{key}`")
-    return serial.made(
+    return serial.built(
         Serial,
         baud=speeds,
         default_baud=usual,

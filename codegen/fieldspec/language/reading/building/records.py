@@ -27,7 +27,7 @@ _OF_VALUES = VALUE_KEYS - {"type"} | {"atomic", "packed_bits", "reserved"}
 
 def record(entry: Entry, reused: Reused) -> Record:
     """The record that an entry states."""
-    return entry.made(
+    return entry.built(
         Record, fields=rows(with_separators(entry, "fields"), entry.path, None, reused, _field, key="fields")
     )
 
@@ -53,7 +53,7 @@ def _field(entry: Entry) -> Field:
     measure = _measure(measures) if measures else None
     is_in_bits = measure is not None and measure.bits is not None
     present = entry.entry("present_if")
-    return entry.made(
+    return entry.built(
         Field,
         value=None if name or choice else value(entry),
         record=name,
@@ -145,7 +145,7 @@ def _choice(entry: Entry, field: Entry) -> Choice:
     shared = field.node
     for key in field.node.values.keys() - VALUE_KEYS:
         shared = shared.without(key)
-    cases = tuple(inner.made(Case, value=value(inner)) for inner in entry.entries("cases", defaults=shared))
+    cases = tuple(inner.built(Case, value=value(inner)) for inner in entry.entries("cases", defaults=shared))
     return Choice(entry.text("by"), cases, entry.bit_range("bits"))
 
 
@@ -162,7 +162,7 @@ def message(entry: Entry, reused: Reused) -> Message:
     accesses, pieces = _accesses(entry), entry.entry("segments")
     entry = with_remote_request(entry)
     _refuse_unstated(entry)
-    return entry.made(
+    return entry.built(
         Message,
         answered_on=_answered_on(entry),
         request=_data(entry, "request", reused),
@@ -254,11 +254,11 @@ def _segments(entry: Entry) -> Segments:
     if "unsized" in entry.own and "when" not in entry.own:
         text = "`unsized` has no effect without `when`: the request that writes always has its `size`"
         entry.refuse("wrong_form", "unsized", text, "remove `unsized`, or state `when` for a message that reads")
-    return entry.made(Segments, abort=_segments_abort(abort) if (abort := entry.entry("abort")) else None)
+    return entry.built(Segments, abort=_segments_abort(abort) if (abort := entry.entry("abort")) else None)
 
 
 def _segments_abort(entry: Entry) -> SegmentsAbort:
-    return entry.made(SegmentsAbort)
+    return entry.built(SegmentsAbort)
 
 
 def _accesses(entry: Entry) -> tuple[RegisterAccess, ...]:
@@ -273,7 +273,7 @@ def _accesses(entry: Entry) -> tuple[RegisterAccess, ...]:
 def _access(entry: Entry) -> RegisterAccess:
     if "clear" in entry.own and "set" not in entry.own:
         entry.refuse("wrong_form", "clear", "`clear` has no effect without `set`", "add `set`, or remove `clear`")
-    return entry.made(RegisterAccess, clear=entry.integer("clear") or 0)
+    return entry.built(RegisterAccess, clear=entry.integer("clear") or 0)
 
 
 def _step(entry: Entry) -> RegisterAccess:
@@ -281,7 +281,7 @@ def _step(entry: Entry) -> RegisterAccess:
         if key in entry.own:
             text = f"`{key}` has no effect in a message with several accesses"
             entry.refuse("wrong_form", key, text, "remove it: such a message accesses words or bytes")
-    return entry.made(RegisterAccess, set=None)
+    return entry.built(RegisterAccess, set=None)
 
 
 def _data(entry: Entry, direction: str, reused: Reused) -> Record:

@@ -26,7 +26,7 @@ from fieldspec.language.reading.nodes import Mapping
 
 def address_space(entry: Entry) -> AddressSpace:
     """The address space that an entry states."""
-    return entry.made(
+    return entry.built(
         AddressSpace,
         unit=entry.text("unit") or WORD,
         bounds=entry.whole_ranges("bounds") or WHOLE,
@@ -41,7 +41,7 @@ def group(entry: Entry, sizes: dict[str, int], reused: Reused) -> RegisterGroup:
     size = sizes.get(space, sizes[""])
     registers = rows(entry, "registers", defaults, reused, lambda inner: _register(inner, space, size), space, size)
     _refuse_idle_defaults(entry, [register.value for register in registers])
-    return entry.made(
+    return entry.built(
         RegisterGroup,
         name=entry.text("group"),
         space=space,
@@ -70,7 +70,7 @@ def _register(entry: Entry, space: str, unit_size: int) -> Register:
     address = entry.integer("at")
     if address is None:
         entry.refuse("missing_key", "at", "a register needs an address", "add it under `at`")
-    return entry.made(
+    return entry.built(
         Register,
         space=space,
         address=address or 0,
@@ -102,7 +102,7 @@ def _elements(entry: Entry, count: int) -> tuple[Citation, ...]:
 
 def table(entry: Entry) -> Table:
     """The table of records that an entry states."""
-    return entry.made(
+    return entry.built(
         Table,
         base=entry.integer("base") or 0,
         stride=entry.integer("stride") or 1,
@@ -115,7 +115,7 @@ def table(entry: Entry) -> Table:
 
 def _printed_element(entry: Entry) -> PrintedElement:
     first, _, last = entry.text("at").partition("..")
-    return entry.made(
+    return entry.built(
         PrintedElement,
         index=entry.integer("index") or 0,
         first=int(first, 16) if first else None,
@@ -124,7 +124,7 @@ def _printed_element(entry: Entry) -> PrintedElement:
 
 
 def _subindex(entry: Entry, type_name: str) -> Subindex:
-    return entry.made(
+    return entry.built(
         Subindex,
         indices=entry.whole_ranges("index") or Ranges(()),
         value=value(entry, type_name),
@@ -137,7 +137,7 @@ def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
     type_name = entry.text("type")
     parameters = rows(entry, entry.path, defaults, reused, lambda inner: _parameter(inner, type_name), type_name)
     _refuse_idle_defaults(entry, [parameter.value for parameter in parameters])
-    return entry.made(
+    return entry.built(
         ParameterSet,
         space=entry.text("space") or entry.text("name"),
         base=entry.integer("base") or 0,
@@ -148,7 +148,7 @@ def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
 
 def _parameter(entry: Entry, type_name: str) -> Parameter:
     own_type = entry.text("type") or type_name
-    return entry.made(
+    return entry.built(
         Parameter,
         number=entry.integer("number") or 0,
         count=entry.integer("count") or 1,

@@ -15,7 +15,7 @@ def task(entry: Entry) -> Task:
         text = "it has no answer" if not answers else f"it has both `{answers[0]}` and `{answers[1]}`"
         help = "use one of `steps`, `not_applicable` and `open`"
         entry.refuse("wrong_form", answers[-1] if answers else "task", f"of the task, {text}", help)
-    return entry.made(
+    return entry.built(
         Task,
         kind=entry.text("task"),
         steps=tuple(_step(inner) for inner in entry.entries("steps", "")),
@@ -31,7 +31,7 @@ def _step(entry: Entry) -> Step:
     waits = action == "wait"
     arguments_node = entry.get("arguments")
     arguments = arguments_node.values if isinstance(arguments_node, Mapping) else {}
-    return entry.made(
+    return entry.built(
         Step,
         action=action,
         target=entry.text(action),

@@ -25,7 +25,7 @@ def lookup(entry: Entry) -> Lookup:
         LookupColumn(inner.text("name"), inner.text("title"), inner.text("label"), inner.text("enum"))
         for inner in entry.entries("columns")
     )
-    return entry.made(
+    return entry.built(
         Lookup,
         kind=entry.text("kind") or "table",
         columns=columns,
@@ -46,7 +46,7 @@ def _lookup_row(entry: Entry, width: int) -> LookupRow:
 
 def limit(entry: Entry) -> Limit:
     """The limit, a single number with its unit, that an entry states."""
-    return entry.made(
+    return entry.built(
         Limit,
         kind=entry.text("kind") or "limit",
         low=entry.decimal("min"),
@@ -56,12 +56,12 @@ def limit(entry: Entry) -> Limit:
 
 def declared_unit(entry: Entry) -> DeclaredUnit:
     """A unit that the language does not have."""
-    return entry.made(DeclaredUnit)
+    return entry.built(DeclaredUnit)
 
 
 def note(entry: Entry) -> Note:
     """The note, a caveat of the manual, that an entry states."""
-    return entry.made(
+    return entry.built(
         Note,
         statements=tuple(
             Statement(
@@ -74,7 +74,7 @@ def note(entry: Entry) -> Note:
 
 def example(entry: Entry) -> Example:
     """The example, a frame with its meaning, that an entry states."""
-    return entry.made(
+    return entry.built(
         Example,
         frame=_frame(entry),
         characters=entry.text("characters").replace("\\r", "\r").replace("\\n", "\n"),
@@ -93,12 +93,12 @@ def _frame(entry: Entry) -> bytes:
 
 def erratum(entry: Entry) -> Erratum:
     """The erratum, a departure from what the manual prints, that an entry states."""
-    return entry.made(Erratum, printed=free(entry.get("printed")))
+    return entry.built(Erratum, printed=free(entry.get("printed")))
 
 
 def acceptance(entry: Entry) -> Acceptance:
     """The accepted change that an entry states."""
-    return entry.made(Acceptance)
+    return entry.built(Acceptance)
 
 
 def stated_change(entry: Entry) -> StatedChange:

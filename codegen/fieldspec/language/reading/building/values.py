@@ -59,7 +59,7 @@ def value(entry: Entry, type_name: str = "") -> Value:
             entry.refuse("wrong_form", key, text, f"state `{key.removeprefix('unit_')}`, in counts")
     size = _size(entry, primitive, digits)
     varies = entry.flag("varies")
-    return entry.made(
+    return entry.built(
         Value,
         type=primitive,
         size=size + (varies and is_signed(primitive.encoding) and digits == "decimal"),
@@ -218,7 +218,7 @@ def _nearest(key: str, count: Fraction, scale: Decimal | Fraction, offset: Decim
 
 def signal(entry: Entry) -> Signal:
     """The signal, a value that is placed by its name, that an entry states."""
-    return entry.made(Signal, value=value(entry))
+    return entry.built(Signal, value=value(entry))
 
 
 def conversion(entry: Entry, types: dict[str, str]) -> Conversion:
@@ -227,7 +227,7 @@ def conversion(entry: Entry, types: dict[str, str]) -> Conversion:
     name = entry.text("type") or next((types[signal] for signal in signals if signal in types), "")
     if name not in PRIMITIVES:
         entry.refuse("type_present", "type", "the count has no type", "add a `type`")
-    return entry.made(
+    return entry.built(
         Conversion,
         signals=signals,
         type=PRIMITIVES.get(name, PRIMITIVES["i32"]),
