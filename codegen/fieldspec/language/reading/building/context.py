@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from decimal import Decimal
-from functools import cache, lru_cache
+from functools import cache
 from typing import Any, TypeAlias, TypeVar, cast
 
 from fieldspec.foundation.caches import ByIdentity
@@ -14,6 +13,7 @@ from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.model.fact import Citation, Claim, Fact, Place, Report, ScalarValue, Standard
 from fieldspec.language.model.ranges import Ranges, intervals, whole_intervals
 from fieldspec.language.model.value import HANDLING_KEYS, UNSPECIFIED, Handling
+from fieldspec.language.reading.building.citations import citations, common_section
 from fieldspec.language.reading.nodes import CHECKED, Mapping, Node, Scalar, Sequence, exact, with_checked_keys
 
 M = TypeVar("M")
@@ -343,30 +343,6 @@ def free(node: Node | None) -> dict[str, object]:
     """A mapping of free form as plain data."""
     data = exact(node) if node is not None else {}
     return data if isinstance(data, dict) else {}
-
-
-_NUMBERS = re.compile(r"[0-9]+")
-_CITED = re.compile(r"(?:([0-9A-Za-z.]+)(?: |$))??(?:([LP])([0-9].*))?$")
-
-
-@lru_cache(maxsize=65536)
-def citations(text: str, section: str) -> tuple[Citation, ...]:
-    """`8.2 L1622-1623, 1630; 9.1 L5` as citations; a part without a section takes the one given. `P` marks pages."""
-    citations = []
-    for part in text.split("; ") if text else ():
-        head, mark, numbers = _CITED.match(part).groups()  # type: ignore[union-attr]  # every text matches
-        lines = []
-        for piece in numbers.split(",") if mark else ():
-            bounds = [int(number) for number in _NUMBERS.findall(piece)]
-            lines.append((bounds[0], bounds[-1]))
-        citations.append(Citation(head or section, tuple(lines), mark or ""))
-    return tuple(citations)
-
-
-def common_section(sources: tuple[Citation, ...]) -> str:
-    """The section of all citations, which is that of what they enclose; empty where they cite several."""
-    sections = {citation.section for citation in sources}
-    return sections.pop() if len(sections) == 1 else ""
 
 
 Item = TypeVar("Item")
