@@ -316,15 +316,7 @@ def struct_letter(encoding: Encoding) -> str:
 
 def _whole_letter(whole: Whole) -> str:
     letter = {8: "b", 16: "h", 32: "i", 64: "q"}.get(whole.bits, "")
-    match whole.sign:
-        case Sign.NONE:
-            return letter.upper()
-        case Sign.COMPLEMENT:
-            return letter
-        case Sign.MAGNITUDE:
-            return ""
-        case _:
-            assert_never(whole.sign)
+    return OfSign(none=letter.upper(), complement=letter, magnitude="")(whole.sign)
 
 
 _real_letter = OfPrecision(half="e", single="f", double="d")

@@ -8,20 +8,22 @@ from fieldspec.language.model.encoding import (
     Encoding,
     Octets,
     OfPrecision,
+    OfSign,
     Real,
-    Sign,
     Text,
     Truth,
     Whole,
 )
 from fieldspec.targets.controllers.statements.expressions import SIGNED, UNSIGNED, Elementary
 
+_INTEGERS = OfSign(none=UNSIGNED, complement=SIGNED, magnitude=SIGNED)
+
 
 def whole_type(encoding: Encoding) -> Elementary:
     """The integer type that holds all numbers of an encoding. Raises AssertionError for other values."""
     match encoding:
         case Whole():
-            return _of_sign(encoding.sign, encoding.bits // 8)
+            return _INTEGERS(encoding.sign)[encoding.bits // 8]
         case Digits():
             return whole_type(encoding.number)
         case Truth():
@@ -30,16 +32,6 @@ def whole_type(encoding: Encoding) -> Elementary:
             raise AssertionError(f"{encoding} is not a whole number")
         case _:
             assert_never(encoding)
-
-
-def _of_sign(sign: Sign, size: int) -> Elementary:
-    match sign:
-        case Sign.NONE:
-            return UNSIGNED[size]
-        case Sign.COMPLEMENT | Sign.MAGNITUDE:
-            return SIGNED[size]
-        case _:
-            assert_never(sign)
 
 
 def is_single(encoding: Encoding) -> bool:
