@@ -785,7 +785,7 @@ function elementIn(parts, bytes) {
     const at = list.first + before;
     if (bytes.length < at) break;
     fields.push(...bytes.subarray(fields.length + before, at));
-    const extent = list.decision ? decidedExtent(parts, list, fields, extents) : listIn(parts, list, fields, bytes, at, extents);
+    const extent = extentAt(parts, extents, fields, bytes, at, bytes.length, false);
     if (extent.fault) return extent;
     extents.push(extent);
     before += extent.size;
@@ -793,12 +793,16 @@ function elementIn(parts, bytes) {
   return { size: parts.fixed + before };
 }
 
-function listIn(parts, list, fields, bytes, at, extents) {
+function extentAt(inner, extents, image, data, at, end, isLast) {
+  const list = inner.lists[extents.length];
+  if (list.decision) return decidedExtent(inner, list, image, extents);
+  const isOpen = isLast && !list.more;
   const isMeasured = list.sentPlus !== undefined;
-  const size = isMeasured ? measuredBytes(list, fields) : sizeIn(list, fields);
-  if (size === undefined) return { fault: numberFault(parts, extents, list) };
-  if (isMeasured && at + size <= bytes.length) return measuredIn(parts, list, bytes.subarray(at, at + size), at, extents);
-  return list.parts && !isMeasured ? elementsIn(list, bytes.subarray(at), size, at) : { size: sentListBytes(list, size), elements: [] };
+  const size = isMeasured ? measuredBytes(list, image) : isOpen ? null : sizeIn(list, image);
+  if (size === undefined || (isMeasured && isLast && at + size !== end)) return { fault: numberFault(inner, extents, list) };
+  if (isMeasured && at + size <= end) return measuredIn(inner, list, data.subarray(at, at + size), at, extents);
+  if (list.parts && !isMeasured) return elementsIn(list, data.subarray(at, end), size, at);
+  return { size: size === null ? end - at : sentListBytes(list, size), elements: [] };
 }
 
 function sizeIn(list, image) {
@@ -847,22 +851,12 @@ function extentsIn({ fixed, lists }, data) {
   let before = 0;
   for (const list of lists) {
     const at = list.first + before;
-    let left = data.length - at - fixed + list.first;
+    const end = data.length - fixed + list.first;
+    const left = end - at;
     if (left < 0) return { extents, fault: { reason: "incomplete", at: data.length } };
     image.push(...data.subarray(image.length + before, at));
     const isLast = list === lists.at(-1);
-    const decided = list.decision && decidedExtent({ fixed, lists }, list, image, extents);
-    let counted = decided || (isLast && !list.more) ? null : sizeIn(list, image);
-    if (list.sentPlus !== undefined && !decided) {
-      const sent = measuredBytes(list, image);
-      counted = isLast && sent !== left ? undefined : sent;
-      if (counted > left) return { extents, fault: { reason: "incomplete", at: data.length } };
-      if (counted !== undefined) [left, counted] = [counted, null];
-    }
-    if (counted === undefined) return { extents, fault: numberFault({ fixed, lists }, extents, list) };
-    const extent = decided ?? (list.sentPlus !== undefined
-      ? measuredIn({ fixed, lists }, list, data.subarray(at, at + left), at, extents)
-      : list.parts ? elementsIn(list, data.subarray(at, at + left), counted, at) : { size: counted === null ? left : sentListBytes(list, counted), elements: [] });
+    const extent = extentAt({ fixed, lists }, extents, image, data, at, end, isLast);
     if (extent.fault) return { extents, fault: extent.fault };
     if (extent.size > left) return { extents, fault: { reason: "incomplete", at: data.length } };
     if (list.packing) {
@@ -871,9 +865,7 @@ function extentsIn({ fixed, lists }, data) {
       if (isLast && extent.numbers * list.element < list.least) return { extents, fault: { reason: "incomplete", at: at + left } };
       if (isLast && taken < left) return { extents, fault: { reason: "wrong_length", at: at + taken } };
     }
-    if (isLast && (list.decision || list.more) && extent.size < left) {
-      return { extents, fault: { reason: "wrong_length", at: at + extent.size } };
-    }
+    if (isLast && extent.size < left) return { extents, fault: { reason: "wrong_length", at: at + extent.size } };
     extents.push(extent);
     before += extent.size;
   }

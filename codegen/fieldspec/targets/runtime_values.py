@@ -7,8 +7,9 @@ from fieldspec.language.model.encoding import (
     Digits,
     Encoding,
     Octets,
+    OfEncoding,
+    OfSign,
     Real,
-    Sign,
     Text,
     Truth,
     Whole,
@@ -19,21 +20,8 @@ WIDEST_DOUBLE = 48
 """The bits of the widest whole number that is a floating-point number in languages that have no other ones."""
 
 
-def kind_of(encoding: Encoding) -> str:
-    """The name of the kind of an encoding."""
-    match encoding:
-        case Whole() | Digits():
-            return "integer"
-        case Real():
-            return "float"
-        case Truth():
-            return "boolean"
-        case Text():
-            return "text"
-        case Octets():
-            return "bytes"
-        case _:
-            assert_never(encoding)
+kind_of = OfEncoding(whole="integer", digits="integer", truth="boolean", real="float", text="text", octets="bytes")
+"""The name of the kind of an encoding."""
 
 
 def sign_data(encoding: Encoding) -> bool | str:
@@ -51,16 +39,7 @@ def sign_data(encoding: Encoding) -> bool | str:
             assert_never(encoding)
 
 
-def _sign_data(sign: Sign) -> bool | str:
-    match sign:
-        case Sign.NONE:
-            return False
-        case Sign.COMPLEMENT:
-            return True
-        case Sign.MAGNITUDE:
-            return "magnitude"
-        case _:
-            assert_never(sign)
+_sign_data: OfSign[bool | str] = OfSign(none=False, complement=True, magnitude="magnitude")
 
 
 def is_wide(encoding: Encoding) -> bool:

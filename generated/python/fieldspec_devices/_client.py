@@ -281,13 +281,15 @@ def refusal(reply: ExceptionResponse[Any], link: Link) -> RefusedError:
 
 def carry_out(work: Work[T], transport: Transport) -> T:
     """Carries out a generator on a transport that blocks. Raises what the generator raises."""
-    try:
-        action, content = next(work)
-    except StopIteration as end:
-        done: T = end.value
-        return done
+    result: Any = None
+    failure: BaseException | None = None
     while True:
-        result: Any = None
+        try:
+            action, content = work.send(result) if failure is None else work.throw(failure)
+        except StopIteration as end:
+            done: T = end.value
+            return done
+        result = failure = None
         try:
             if action == READ:
                 result = _read(transport, content[0])
@@ -300,14 +302,7 @@ def carry_out(work: Work[T], transport: Transport) -> T:
                 if drop is not None:
                     drop()
         except BaseException as error:
-            failure: BaseException | None = error
-        else:
-            failure = None
-        try:
-            action, content = work.send(result) if failure is None else work.throw(failure)
-        except StopIteration as end:
-            value: T = end.value
-            return value
+            failure = error
 
 
 def _read(transport: Transport, size: int) -> bytes:
@@ -334,13 +329,15 @@ async def carry_out_async(work: Work[T], transport: AsyncTransport) -> T:
     """Carries out a generator on a transport for asyncio. Raises what the generator raises."""
     from asyncio import sleep as pause
 
-    try:
-        action, content = next(work)
-    except StopIteration as end:
-        done: T = end.value
-        return done
+    result: Any = None
+    failure: BaseException | None = None
     while True:
-        result: Any = None
+        try:
+            action, content = work.send(result) if failure is None else work.throw(failure)
+        except StopIteration as end:
+            done: T = end.value
+            return done
+        result = failure = None
         try:
             if action == READ:
                 result = await _read_async(transport, *content)
@@ -353,14 +350,7 @@ async def carry_out_async(work: Work[T], transport: AsyncTransport) -> T:
                 if drop is not None:
                     drop()
         except BaseException as error:
-            failure: BaseException | None = error
-        else:
-            failure = None
-        try:
-            action, content = work.send(result) if failure is None else work.throw(failure)
-        except StopIteration as end:
-            value: T = end.value
-            return value
+            failure = error
 
 
 async def _read_async(transport: AsyncTransport, size: int, seconds: float) -> bytes:

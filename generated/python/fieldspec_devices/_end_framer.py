@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ._error import CodecError
-from ._framers import Framer, Intervals
+from ._framers import Framer
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -29,27 +29,14 @@ class EndFramer(Framer):
         self,
         frames: Frames,
         *,
-        shortest: int,
-        longest: int,
         decode: Callable[..., Any],
         messages: tuple[Any, ...] = (),
         begins: dict[int, bytes] | None = None,
-        unit_address_offset: int = 0,
-        unit_address_size: int = 0,
-        unit_addresses: frozenset[int] | Intervals = frozenset(),
-        order: str = "big",
+        **common: Any,
     ) -> None:
         self.decode, self.messages, self.begins = decode, messages, begins or {}
         self._examined = 0
-        super().__init__(
-            frames,
-            shortest=shortest,
-            longest=longest,
-            unit_address_offset=unit_address_offset,
-            unit_address_size=unit_address_size,
-            unit_addresses=unit_addresses,
-            order=order,
-        )
+        super().__init__(frames, **common)
 
     def _prepare(self) -> None:
         """Prepares the possible values of the bytes at the beginning of a frame."""

@@ -144,81 +144,62 @@ class InnerLists:
     def extents_in(self, data: bytes) -> tuple[list[ListExtent], ListFault | None]:
         """The bytes of each list in some data; up to the first one for which they are not known, and why."""
         extents: list[ListExtent] = []
-        image = b""
-        before = 0
+        image, before = b"", 0
         for inner in self.lists:
             start = inner.first + before
             left = len(data) - start - (self.fixed - inner.first)
             if left < 0:
                 return extents, ListFault("incomplete", len(data))
             image += data[len(image) + before : start]
-            extent = self._extent(inner, image, data[start : start + left], extents)
+            is_last = inner is self.last
+            extent = self._extent(inner, image, data[start : start + left], extents, is_last)
+            if isinstance(extent, ListExtent) and extent.size > left:
+                extent = ListFault("incomplete", len(data))
+            elif isinstance(extent, ListExtent) and is_last and extent.size < left:
+                extent = ListFault("wrong_length", start + extent.size)
             if isinstance(extent, ListFault):
                 return extents, extent
             extents.append(extent)
             before += extent.size
         return extents, None
 
-    def _extent(self, inner: InnerList, image: bytes, data: bytes, extents: list[ListExtent]) -> ListExtent | ListFault:
-        """The bytes of a list in data that begin with it, less the fields after it."""
+    def _extent(
+        self, inner: InnerList, image: bytes, data: bytes, extents: list[ListExtent], is_last: bool
+    ) -> ListExtent | ListFault:
+        """The bytes of a list with which data begin, maybe more than these have; of the last one, to their end."""
         start = inner.first + sum(extent.size for extent in extents)
         if inner.decision is not None:
-            return self._decided(inner, inner.decision, image, len(data), extents)
-        size = None
-        if inner.sent_plus is not None:
-            sent_size = inner.sent_bytes_in(image)
-            if sent_size is None or (inner is self.last and sent_size != len(data)):
-                return self._wrong_number(inner, extents)
-            if sent_size > len(data):
-                return ListFault("incomplete", start + len(data) + self.fixed - inner.first)
-            return self._measured(inner, data[:sent_size], extents)
-        if inner is not self.last or inner.continuation is not None:
-            size = inner.size_in(image)
+            size = inner.decision.size_in(image)
             if size is None:
+                return ListFault("unknown_value", self.place_in_data(extents, inner.decision.offset))
+            number = size if inner.sent_plus is None else inner.count_in(image) - inner.sent_plus
+            is_right = number == size or 0 <= number <= -size
+            return ListExtent(number, (number,)) if is_right else self._wrong_number(inner, extents)
+        is_open = is_last and inner.continuation is None
+        if inner.sent_plus is not None:
+            size = inner.sent_bytes_in(image)
+            if size is None or (is_last and size != len(data)):
                 return self._wrong_number(inner, extents)
+            if inner.parts is None or size > len(data):
+                return ListExtent(size)
+            extent = _elements(inner, inner.parts, data[:size], None, start)
+            ends_otherwise = isinstance(extent, ListFault) and extent.reason in ("incomplete", "wrong_length")
+            return self._wrong_number(inner, extents) if ends_otherwise else extent
+        if is_open and inner.parts is None:
+            return (
+                ListExtent(len(data))
+                if inner.packing is None
+                else _packed_numbers(inner, inner.packing, len(data), start)
+            )
+        size = None if is_open else inner.size_in(image)
+        if size is None and not is_open:
+            return self._wrong_number(inner, extents)
         if inner.parts is not None:
-            extent = _elements(inner, inner.parts, data, size, start)
-            if inner is self.last and isinstance(extent, ListExtent) and extent.size < len(data):
-                return ListFault("wrong_length", start + extent.size)
-            return extent
-        if inner.packing is not None and size is None:
-            return _packed_numbers(inner, inner.packing, len(data), start)
-        size = size if size is None else inner.sent_size(size)
-        if size is not None and size > len(data):
-            return ListFault("incomplete", start + len(data) + self.fixed - inner.first)
-        numbers = 0 if inner.packing is None else inner.packing.numbers_in(size or 0, inner.most // inner.element)
-        return ListExtent(len(data) if size is None else size, numbers=numbers)
-
-    def _measured(self, inner: InnerList, data: bytes, extents: list[ListExtent]) -> ListExtent | ListFault:
-        """The elements of a list whose sent bytes, which are the data, a number counts: wrong if they end otherwise."""
-        assert inner.parts is not None
-        elements = _elements(inner, inner.parts, data, None, inner.first + sum(extent.size for extent in extents))
-        ends_otherwise = isinstance(elements, ListFault) and elements.reason in ("incomplete", "wrong_length")
-        return self._wrong_number(inner, extents) if ends_otherwise else elements
-
-    def _decided(
-        self, inner: InnerList, decision: Decision, image: bytes, left: int, extents: list[ListExtent]
-    ) -> ListExtent | ListFault:
-        """The bytes of an element that an image decides; at most `left` bytes."""
-        start = inner.first + sum(extent.size for extent in extents)
-        size = self._decided_size(inner, decision, image, extents)
-        if isinstance(size, ListFault):
-            return size
-        if size > left:
-            return ListFault("incomplete", start + left + self.fixed - inner.first)
-        if inner is self.last and size < left:
-            return ListFault("wrong_length", start + size)
-        return ListExtent(size, (size,))
-
-    def _decided_size(
-        self, inner: InnerList, decision: Decision, image: bytes, extents: list[ListExtent]
-    ) -> int | ListFault:
-        """The bytes of an element that an image decides, which a number may count."""
-        size = decision.size_in(image)
-        if size is None:
-            return ListFault("unknown_value", self.place_in_data(extents, decision.offset))
-        number = size if inner.sent_plus is None else inner.count_in(image) - inner.sent_plus
-        return number if number == size or 0 <= number <= -size else self._wrong_number(inner, extents)
+            return _elements(inner, inner.parts, data, size, start)
+        assert size is not None
+        sent_size = inner.sent_size(size)
+        numbers = 0 if inner.packing is None else inner.packing.numbers_in(sent_size, inner.most // inner.element)
+        return ListExtent(sent_size, numbers=numbers)
 
     def sent_size(self, data: bytes) -> int | ListFault:
         """The bytes of an element that data begin with, which may be more than the data have."""
@@ -229,24 +210,11 @@ class InnerLists:
             if len(data) < start:
                 break
             fields += data[len(fields) + before : start]
-            size: int | ListFault | None
-            if inner.decision is not None:
-                size = self._decided_size(inner, inner.decision, fields, extents)
-            else:
-                size = inner.size_in(fields) if inner.sent_plus is None else inner.sent_bytes_in(fields)
-            if size is None or isinstance(size, ListFault):
-                return size or self._wrong_number(inner, extents)
-            extent = ListExtent(inner.sent_size(size), (size,) if inner.decision is not None else ())
-            if inner.parts is not None and inner.sent_plus is None:
-                elements = _elements(inner, inner.parts, data[start:], size, start)
-            elif inner.parts is not None and start + size <= len(data):
-                elements = self._measured(inner, data[start : start + size], extents)
-            else:
-                elements = extent
-            if isinstance(elements, ListFault):
-                return elements
-            extents.append(elements)
-            before += elements.size
+            extent = self._extent(inner, fields, data[start:], extents, False)
+            if isinstance(extent, ListFault):
+                return extent
+            extents.append(extent)
+            before += extent.size
         return self.fixed + before
 
     def _wrong_number(self, inner: InnerList, extents: list[ListExtent]) -> ListFault:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from ._error import CodecError
-from ._framers import Framer, Intervals
+from ._framers import Framer
 from ._part_frames import PartFrames
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from typing import Any
+
     from ._can import CanIdentifier
     from ._typing import Data
 
@@ -205,28 +207,9 @@ class EscapeFramer(Framer):
     `shortest` and `longest` are the sizes without the bytes that escaping adds; `most` is the greatest size with them.
     """
 
-    def __init__(
-        self,
-        frames: EscapedFrames,
-        *,
-        shortest: int,
-        longest: int,
-        most: int,
-        unit_address_offset: int = 0,
-        unit_address_size: int = 0,
-        unit_addresses: frozenset[int] | Intervals = frozenset(),
-        order: str = "big",
-    ) -> None:
+    def __init__(self, frames: EscapedFrames, *, most: int, **common: Any) -> None:
         self.escaped_frames, self.most = frames, most
-        super().__init__(
-            frames,
-            shortest=shortest,
-            longest=longest,
-            unit_address_offset=unit_address_offset,
-            unit_address_size=unit_address_size,
-            unit_addresses=unit_addresses,
-            order=order,
-        )
+        super().__init__(frames, **common)
 
     def _prepare(self) -> None:
         """Delimiters are searched literally, so there is nothing to prepare."""

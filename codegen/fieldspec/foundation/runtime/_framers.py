@@ -17,7 +17,7 @@ from ._frames import Frames
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from typing import Literal
+    from typing import Any, Literal
 
     from ._digits import Digits
     from ._typing import Data
@@ -220,31 +220,11 @@ class Framer:
 class LengthFramer(Framer):
     """For frames with a length, whose byte order is `length_order` where it is not that of the unit address."""
 
-    def __init__(
-        self,
-        frames: Frames,
-        *,
-        shortest: int,
-        longest: int,
-        length_size: int,
-        length_order: str = "",
-        unit_address_offset: int = 0,
-        unit_address_size: int = 0,
-        unit_addresses: frozenset[int] | Intervals = frozenset(),
-        order: str = "big",
-    ) -> None:
+    def __init__(self, frames: Frames, *, length_size: int, length_order: str = "", **common: Any) -> None:
         self.length_offset, self.length_size = frames.length_offset, length_size
-        self._length_is_little = (length_order or order) == "little"
         self._length_form = frames.forms.get(frames.length_offset)
-        super().__init__(
-            frames,
-            shortest=shortest,
-            longest=longest,
-            unit_address_offset=unit_address_offset,
-            unit_address_size=unit_address_size,
-            unit_addresses=unit_addresses,
-            order=order,
-        )
+        super().__init__(frames, **common)
+        self._length_is_little = length_order == "little" if length_order else self.little
 
     def _known(self) -> dict[int, frozenset[int]]:
         known = super()._known()
@@ -288,34 +268,21 @@ class CodeFramer(Framer):
         self,
         frames: Frames,
         *,
-        shortest: int,
-        longest: int,
         code_size: int,
         extents: dict[int, Extent],
         code_order: str = "",
         subcodes: dict[int, tuple[int, int, str, dict[int, Extent]]] | None = None,
         flag: int = 0,
         refusal: Extent = (0, 0, 0, 0),
-        unit_address_offset: int = 0,
-        unit_address_size: int = 0,
-        unit_addresses: frozenset[int] | Intervals = frozenset(),
-        order: str = "big",
+        **common: Any,
     ) -> None:
         self.code_offset, self.code_size = frames.code_offset, code_size
         self.extents, self.flag, self.refusal = extents, flag, refusal
         self.subcodes = subcodes or {}
-        self._code_is_little = (code_order or order) == "little"
         self._code_form = frames.forms.get(frames.code_offset)
         self._code_is_byte = code_size == 1 and self._code_form is None
-        super().__init__(
-            frames,
-            shortest=shortest,
-            longest=longest,
-            unit_address_offset=unit_address_offset,
-            unit_address_size=unit_address_size,
-            unit_addresses=unit_addresses,
-            order=order,
-        )
+        super().__init__(frames, **common)
+        self._code_is_little = code_order == "little" if code_order else self.little
 
     def _known(self) -> dict[int, frozenset[int]]:
         known = super()._known()

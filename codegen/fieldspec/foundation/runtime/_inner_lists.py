@@ -158,14 +158,33 @@ class InnerList:
             raise CodecError("incomplete", f"a list has {len(sizes)} elements", start + at)
         return sizes
 
-    def measured_elements(self, parts: Parts, data: bytes, start: int, at: int) -> list[int]:
-        """The bytes of each element in data that a number at `at` counts, which is wrong if they end otherwise."""
-        try:
-            return self.elements(parts, data, None, start)
-        except CodecError as error:
-            if error.reason not in ("incomplete", "wrong_length"):
-                raise
-            raise CodecError("wrong_measure", f"{len(data)} bytes do not end with an element of a list", at) from None
+    def sent_sizes(
+        self, fields: bytes, data: bytes, start: int, stop: int, place: Callable[[int], int], is_last: bool
+    ) -> list[int]:
+        """The sent bytes of each element in data from `start` on, or of all elements, which may be more than to `stop`.
+
+        The last list ends there. Refused at the `place` of a number, or at the byte at which it shows.
+        """
+        if self.decision is not None:
+            return [self.decided_bytes(self.decision, fields, place)]
+        is_open = is_last and self.more is None
+        if self.sent_plus is not None:
+            measured = self.measured_bytes(fields, self.sent_plus, place(self.at))
+            if is_last and start + measured != stop:
+                raise CodecError("wrong_measure", f"a list has {stop - start} bytes, not {measured}", place(self.at))
+            if self.parts is None or start + measured > stop:
+                return [measured]
+            try:
+                return self.elements(self.parts, data[start : start + measured], None, start)
+            except CodecError as error:
+                if error.reason not in ("incomplete", "wrong_length"):
+                    raise
+                detail = f"{measured} bytes do not end with an element of a list"
+                raise CodecError("wrong_measure", detail, place(self.at)) from None
+        size = None if is_open else self.checked_size(fields, place(self.at))
+        if self.parts is not None:
+            return self.elements(self.parts, data[start:stop], size, start)
+        return [stop - start if size is None else self.sent_size(size)]
 
     def sent(self, image: bytes) -> bytes:
         """The sent bytes of a list whose bytes in the image are these."""
@@ -194,20 +213,9 @@ class Parts:
             if len(data) < start:
                 break
             fields += data[len(fields) + before : start]
-            at = _place_after(extents, inner.at)
-            if inner.decision is not None:
-                size = inner.decided_bytes(inner.decision, fields, lambda place: _place_after(extents, place))
-            elif inner.sent_plus is not None:
-                size = inner.measured_bytes(fields, inner.sent_plus, at)
-            else:
-                size = inner.checked_size(fields, at)
-            taken = inner.sent_size(size)
-            if inner.parts is not None and inner.sent_plus is None:
-                taken = sum(inner.elements(inner.parts, data[start:], size, start))
-            elif inner.parts is not None and start + size <= len(data):
-                inner.measured_elements(inner.parts, data[start : start + size], start, at)
-            extents.append((inner.first, taken))
-            before += taken
+            own = inner.sent_sizes(fields, data, start, len(data), lambda at: _place_after(extents, at), False)
+            extents.append((inner.first, sum(own)))
+            before += sum(own)
         return self.fixed + before
 
 
@@ -241,43 +249,31 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         fields, lists, before = b"", b"", 0
         extents: list[list[int]] = []
         numbers: list[int] = []
-        size: int | None
         zero_at: int | None = None
         for inner in self.lists:
             at = inner.first + before
             fields += data[len(fields) + before : at]
-            left = len(data) - at - self.fixed + inner.first
-            if left < 0:
+            stop = len(data) - self.fixed + inner.first
+            if stop < at:
                 raise self._incomplete(len(data))
             is_last = inner is self.lists[-1]
+            sizes = inner.sent_sizes(fields, data, at, stop, lambda place: self._place(extents, place), is_last)
+            sent = sum(sizes)
+            if at + sent > stop:
+                raise self._incomplete(len(data))
             if inner.decision is not None:
-                size = inner.decided_bytes(inner.decision, fields, lambda place: self._place(extents, place))
-                if is_last and size < left:
-                    raise CodecError("wrong_length", f"{self.name} has more than its {at + size} bytes", at + size)
-            elif inner.sent_plus is not None:
-                left, size = self._measured(inner, inner.sent_plus, fields, left, extents, data), None
-            else:
-                is_open = is_last and inner.more is None
-                size = None if is_open else inner.checked_size(fields, self._place(extents, inner.at))
-            if inner.parts is not None and inner.sent_plus is not None:
-                number_at = self._place(extents, inner.at)
-                sizes = inner.measured_elements(inner.parts, data[at : at + left], at, number_at)
-                numbers.append(len(sizes))
-            elif inner.parts is not None:
-                sizes = inner.elements(inner.parts, data[at : at + left], size, at)
-                if is_last and sum(sizes) < left:
-                    raise CodecError("wrong_length", f"{self.name} has more bytes", at + sum(sizes))
-                numbers.append(len(sizes))
-            else:
-                sent = self._checked(inner, left, at) if size is None else inner.sent_size(size)
-                if sent > left:
-                    raise self._incomplete(len(data))
-                if inner.decision is not None and inner.decision.size(fields, 0) < 0 and 0 in data[at : at + sent]:
+                if inner.decision.size(fields, 0) < 0 and 0 in data[at : at + sent]:
                     zero_at = at if zero_at is None else zero_at
-                sizes = [sent]
+                numbers.append(1)
+            elif inner.parts is not None:
+                numbers.append(len(sizes))
+            else:
+                if is_last:
+                    self._check(inner, sent, at)
                 packing = inner.packing
-                items = sent // inner.size if packing is None else inner.numbers_in(packing, sent)
-                numbers.append(1 if inner.decision is not None else items)
+                numbers.append(sent // inner.size if packing is None else inner.numbers_in(packing, sent))
+            if at + sent < stop and is_last:
+                raise CodecError("wrong_length", f"{self.name} has more than its {at + sent} bytes", at + sent)
             extents.append(sizes)
             for own in sizes:
                 piece = data[inner.first + before : inner.first + before + own]
@@ -317,33 +313,19 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         inner = self.lists[number]
         return [inner.sent(image) for image in images]
 
-    def _checked(self, inner: InnerList, size: int, at: int) -> int:
-        """The bytes of the list whose size the data decide, refused if the number is not possible."""
+    def _check(self, inner: InnerList, size: int, at: int) -> None:
+        """Refuses a wrong number of bytes of the list whose size the data decide."""
         least, most = inner.sent_size(inner.sizes[0]), inner.sent_size(inner.sizes[-1])
         if inner.packing is not None and size >= least:
-            taken = inner.packing.sent_size(inner.numbers_in(inner.packing, size))
-            if taken < size:
-                raise CodecError("wrong_length", f"a list of {self.name} has bits after its numbers", at + taken)
-            return size
-        if size < least:
+            most = inner.packing.sent_size(inner.numbers_in(inner.packing, size))
+            if most < size:
+                raise CodecError("wrong_length", f"a list of {self.name} has bits after its numbers", at + most)
+        elif size < least:
             raise CodecError("incomplete", f"{self.name} ends in a list of {size} bytes, at least {least}", at + size)
-        if size > most:
+        elif size > most:
             raise CodecError("wrong_length", f"a list of {self.name} has at most {most} bytes, not {size}", at + most)
-        if size not in inner.sizes:
+        elif size not in inner.sizes:
             raise CodecError("wrong_length", f"a list of {self.name} ends within an element", at + size)
-        return size
-
-    def _measured(
-        self, inner: InnerList, plus: int, fields: bytes, left: int, extents: list[list[int]], data: bytes
-    ) -> int:
-        """The bytes of a list that a number counts, of at most `left` bytes, or of all of them for the last list."""
-        at = self._place(extents, inner.at)
-        size = inner.measured_bytes(fields, plus, at)
-        if inner is self.lists[-1] and size != left:
-            raise CodecError("wrong_measure", f"a list of {self.name} has {left} bytes, not {size}", at)
-        if size > left:
-            raise self._incomplete(len(data))
-        return size
 
     def _incomplete(self, at: int) -> CodecError:
         return CodecError("incomplete", f"{self.name} has more bytes", at)

@@ -184,22 +184,15 @@ class RegisterArray(Generic[T]):
         count: int,
         first: int,
         stride: int,
-        atomic: bool = False,
-        trigger: bool = False,
         number: int | None = None,
         copy_of: str = "",
-        order: str = ">",
         space: str = "",
-        unit_size: int = 2,
-        turns_writes: bool = False,
-        scale_by: Register[int] | None = None,
+        **more: Any,
     ) -> None:
         self.name, self.address, self.access, self.space = name, address, access, space
         self.first, self.stride, self.number, self.copy_of = first, stride, number, copy_of
-        more: dict[str, Any] = {"atomic": atomic, "trigger": trigger, "order": order, "space": space}
-        more |= {"unit_size": unit_size, "turns_writes": turns_writes, "scale_by": scale_by}
         self._registers = tuple(
-            Register(f"{name}[{first + number}]", address + number * stride, words, value, access, **more)
+            Register(f"{name}[{first + number}]", address + number * stride, words, value, access, space=space, **more)
             for number in range(count)
         )
 

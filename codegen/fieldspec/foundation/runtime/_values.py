@@ -169,8 +169,8 @@ class Constant(Number):
 
     __slots__ = ("const",)
 
-    def __init__(self, letters: str, const: int, *, swapped: bool = False) -> None:
-        super().__init__(letters, swapped=swapped)
+    def __init__(self, letters: str, const: int, *, swapped: bool = False, stated: Stated | None = None) -> None:
+        super().__init__(letters, swapped=swapped, stated=stated)
         self.const = const
 
     def of_raw(self, name: str, raw: int) -> int:
@@ -184,19 +184,15 @@ class Constant(Number):
         return None
 
 
-class Setting(Number):
+class Setting(Constant):
     """A count with only one value to write; the device may answer any."""
 
-    __slots__ = ("const",)
+    __slots__ = ()
 
     def __init__(self, letters: str, const: int, *, swapped: bool = False, stated: Stated = ()) -> None:
-        super().__init__(letters, swapped=swapped, stated=stated)
-        self.const = const
+        super().__init__(letters, const, swapped=swapped, stated=stated)
 
-    def refused(self, name: str, value: Any) -> CodecError | None:
-        if value != self.const:
-            return CodecError("wrong_const", f"{name} is {value}, not {self.const}")
-        return None
+    of_raw = Number.of_raw
 
 
 class Closed(Value[E]):
@@ -204,17 +200,8 @@ class Closed(Value[E]):
 
     __slots__ = ("enum", "members")
 
-    def __init__(
-        self,
-        letters: str,
-        enum: str,
-        members: dict[int, E],
-        *,
-        swapped: bool = False,
-        ranges: tuple[tuple[int, int], ...] = (),
-        stated: Stated | None = None,
-    ) -> None:
-        super().__init__(letters, swapped=swapped, ranges=ranges, stated=stated)
+    def __init__(self, letters: str, enum: str, members: dict[int, E], **common: Any) -> None:
+        super().__init__(letters, **common)
         self.enum, self.members = enum, members
 
     def of_raw(self, name: str, raw: int) -> E:
@@ -232,19 +219,8 @@ class Open(Value["E | int"], Generic[E]):
 
     __slots__ = ("closed", "enum", "members")
 
-    def __init__(
-        self,
-        letters: str,
-        enum: str,
-        members: dict[int, E],
-        *,
-        swapped: bool = False,
-        ranges: tuple[tuple[int, int], ...] = (),
-        absent: Absent = (),
-        closed: bool = False,
-        stated: Stated | None = None,
-    ) -> None:
-        super().__init__(letters, swapped=swapped, ranges=ranges, absent=absent, stated=stated)
+    def __init__(self, letters: str, enum: str, members: dict[int, E], *, closed: bool = False, **common: Any) -> None:
+        super().__init__(letters, **common)
         self.enum, self.members, self.closed = enum, members, closed
 
     def of_raw(self, name: str, raw: int) -> E | int:
@@ -265,17 +241,8 @@ class Trigger(Open[E]):
 
     __slots__ = ()
 
-    def __init__(
-        self,
-        letters: str,
-        enum: str,
-        members: dict[int, E],
-        *,
-        swapped: bool = False,
-        ranges: tuple[tuple[int, int], ...] = (),
-        absent: Absent = (),
-    ) -> None:
-        super().__init__(letters, enum, members, swapped=swapped, ranges=ranges, absent=absent, closed=True, stated=())
+    def __init__(self, letters: str, enum: str, members: dict[int, E], **common: Any) -> None:
+        super().__init__(letters, enum, members, closed=True, stated=(), **common)
 
     def of_raw(self, name: str, raw: int) -> E | int:
         return self.members.get(raw, raw)
@@ -291,14 +258,12 @@ class Word(Value[F]):
         letters: str,
         flags: type[F],
         *,
-        swapped: bool = False,
         ranges: tuple[tuple[int, int], ...] = (),
-        absent: Absent = (),
         bits: tuple[BoundedBits, ...] = (),
         stated: Stated | None = None,
+        **common: Any,
     ) -> None:
-        stated = (ranges, bits) if stated is None else stated
-        super().__init__(letters, swapped=swapped, ranges=ranges, absent=absent, stated=stated)
+        super().__init__(letters, ranges=ranges, stated=(ranges, bits) if stated is None else stated, **common)
         self.flags, self.bits = flags, bits
 
     def of_raw(self, name: str, raw: int) -> F:

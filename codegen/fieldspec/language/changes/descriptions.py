@@ -42,6 +42,23 @@ def change(
     )
 
 
+def changed(
+    rule: str,
+    effect: Effect,
+    pair: Pair[Any] | ValuePair,
+    key: str,
+    subject: str,
+    old: object,
+    new: object,
+    outputs: tuple[str, ...] = (),
+) -> Iterator[Change]:
+    """The change of a value that differs, in the words of `difference_text`."""
+    if old != new:
+        own = pair.of if isinstance(pair, ValuePair) else pair
+        message = f"{named(own.new)}: {difference_text(subject, old, new)}"
+        yield change(rule, effect, pair, key, message, old, new, outputs)
+
+
 def kind(item: Any) -> str:
     """The word of users for the class of an object."""
     return MODEL_CLASSES[type(item)].title

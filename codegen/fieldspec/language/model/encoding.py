@@ -1,7 +1,7 @@
 """The encodings of values: a closed set of types, each with what it alone has.
 
-A branch over them is a `match` that ends with `assert_never`, or one of the questions of this module, each of which is
-such a `match`. So a type checker names what a new encoding still needs.
+A branch over them is a `match` that ends with `assert_never`, a table such as `OfEncoding`, or one of the questions of
+this module, each of which is one of both. So a type checker names what a new encoding still needs.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from enum import Enum
 
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.foundation.exhaustive import assert_never
+from fieldspec.foundation.runtime._typing import Generic, T
 
 if TYPE_CHECKING:
     from fieldspec.language.model.text_form import TextForm
@@ -30,24 +31,36 @@ class Sign(Enum):
     @property
     def is_signed(self) -> bool:
         """Whether there are numbers below zero."""
-        match self:
-            case Sign.NONE:
-                return False
-            case Sign.COMPLEMENT | Sign.MAGNITUDE:
-                return True
-            case _:
-                assert_never(self)
+        return _IS_SIGNED(self)
 
     @property
     def has_two_zeros(self) -> bool:
         """Whether 0 has bits for a second time, with the sign of a number below it."""
-        match self:
-            case Sign.NONE | Sign.COMPLEMENT:
-                return False
+        return _HAS_TWO_ZEROS(self)
+
+
+@dataclass(frozen=True, slots=True)
+class OfSign(Generic[T]):
+    """What belongs to each sign: a new one is an attribute, which type checkers miss wherever nothing is stated."""
+
+    none: T
+    complement: T
+    magnitude: T
+
+    def __call__(self, sign: Sign) -> T:
+        match sign:
+            case Sign.NONE:
+                return self.none
+            case Sign.COMPLEMENT:
+                return self.complement
             case Sign.MAGNITUDE:
-                return True
+                return self.magnitude
             case _:
-                assert_never(self)
+                assert_never(sign)
+
+
+_IS_SIGNED = OfSign(none=False, complement=True, magnitude=True)
+_HAS_TWO_ZEROS = OfSign(none=False, complement=False, magnitude=True)
 
 
 class Precision(Enum):
@@ -56,6 +69,26 @@ class Precision(Enum):
     HALF = 16
     SINGLE = 32
     DOUBLE = 64
+
+
+@dataclass(frozen=True, slots=True)
+class OfPrecision(Generic[T]):
+    """What belongs to each precision, as `OfSign` has it."""
+
+    half: T
+    single: T
+    double: T
+
+    def __call__(self, precision: Precision) -> T:
+        match precision:
+            case Precision.HALF:
+                return self.half
+            case Precision.SINGLE:
+                return self.single
+            case Precision.DOUBLE:
+                return self.double
+            case _:
+                assert_never(precision)
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,81 +164,55 @@ Encoding = Whole | Real | Truth | Digits | Text | Octets
 """How a value is on the wire."""
 
 
-def is_array(encoding: Encoding) -> bool:
-    """Whether it is a sequence, a text or bytes, and not a number."""
-    match encoding:
-        case Whole() | Real() | Truth() | Digits():
-            return False
-        case Text() | Octets():
-            return True
-        case _:
-            assert_never(encoding)
+@dataclass(frozen=True, slots=True)
+class OfEncoding(Generic[T]):
+    """What belongs to each encoding, as `OfSign` has it."""
+
+    whole: T
+    digits: T
+    truth: T
+    real: T
+    text: T
+    octets: T
+
+    def __call__(self, encoding: Encoding) -> T:
+        match encoding:
+            case Whole():
+                return self.whole
+            case Digits():
+                return self.digits
+            case Truth():
+                return self.truth
+            case Real():
+                return self.real
+            case Text():
+                return self.text
+            case Octets():
+                return self.octets
+            case _:
+                assert_never(encoding)
 
 
-def is_count(encoding: Encoding) -> bool:
-    """Whether its raw value is a whole number that may be scaled, bounded, and named by an enum."""
-    match encoding:
-        case Whole() | Digits():
-            return True
-        case Real() | Truth() | Text() | Octets():
-            return False
-        case _:
-            assert_never(encoding)
+is_array = OfEncoding(whole=False, digits=False, truth=False, real=False, text=True, octets=True)
+"""Whether it is a sequence, a text or bytes, and not a number."""
 
+is_count = OfEncoding(whole=True, digits=True, truth=False, real=False, text=False, octets=False)
+"""Whether its raw value is a whole number that may be scaled, bounded, and named by an enum."""
 
-def is_real(encoding: Encoding) -> bool:
-    """Whether it is a floating-point number."""
-    match encoding:
-        case Real():
-            return True
-        case Whole() | Truth() | Digits() | Text() | Octets():
-            return False
-        case _:
-            assert_never(encoding)
+is_real = OfEncoding(whole=False, digits=False, truth=False, real=True, text=False, octets=False)
+"""Whether it is a floating-point number."""
 
+is_truth = OfEncoding(whole=False, digits=False, truth=True, real=False, text=False, octets=False)
+"""Whether it is true or false."""
 
-def is_truth(encoding: Encoding) -> bool:
-    """Whether it is true or false."""
-    match encoding:
-        case Truth():
-            return True
-        case Whole() | Real() | Digits() | Text() | Octets():
-            return False
-        case _:
-            assert_never(encoding)
+is_text = OfEncoding(whole=False, digits=False, truth=False, real=False, text=True, octets=False)
+"""Whether it is a text."""
 
+is_octets = OfEncoding(whole=False, digits=False, truth=False, real=False, text=False, octets=True)
+"""Whether it is bytes without a meaning of their own."""
 
-def is_text(encoding: Encoding) -> bool:
-    """Whether it is a text."""
-    match encoding:
-        case Text():
-            return True
-        case Whole() | Real() | Truth() | Digits() | Octets():
-            return False
-        case _:
-            assert_never(encoding)
-
-
-def is_octets(encoding: Encoding) -> bool:
-    """Whether it is bytes without a meaning of their own."""
-    match encoding:
-        case Octets():
-            return True
-        case Whole() | Real() | Truth() | Digits() | Text():
-            return False
-        case _:
-            assert_never(encoding)
-
-
-def is_exact(encoding: Encoding) -> bool:
-    """Whether its raw value is a whole number, which may be 0 or 1 alone."""
-    match encoding:
-        case Whole() | Digits() | Truth():
-            return True
-        case Real() | Text() | Octets():
-            return False
-        case _:
-            assert_never(encoding)
+is_exact = OfEncoding(whole=True, digits=True, truth=True, real=False, text=False, octets=False)
+"""Whether its raw value is a whole number, which may be 0 or 1 alone."""
 
 
 def is_signed(encoding: Encoding) -> bool:
@@ -309,27 +316,10 @@ def struct_letter(encoding: Encoding) -> str:
 
 def _whole_letter(whole: Whole) -> str:
     letter = {8: "b", 16: "h", 32: "i", 64: "q"}.get(whole.bits, "")
-    match whole.sign:
-        case Sign.NONE:
-            return letter.upper()
-        case Sign.COMPLEMENT:
-            return letter
-        case Sign.MAGNITUDE:
-            return ""
-        case _:
-            assert_never(whole.sign)
+    return OfSign(none=letter.upper(), complement=letter, magnitude="")(whole.sign)
 
 
-def _real_letter(precision: Precision) -> str:
-    match precision:
-        case Precision.HALF:
-            return "e"
-        case Precision.SINGLE:
-            return "f"
-        case Precision.DOUBLE:
-            return "d"
-        case _:
-            assert_never(precision)
+_real_letter = OfPrecision(half="e", single="f", double="d")
 
 
 def whole_number(whole: Whole, bits: int) -> int:
@@ -382,14 +372,5 @@ def infinity(precision: Precision) -> int:
     return (1 << precision.value - 1) - (1 << significant_bits(precision) - 1)
 
 
-def significant_bits(precision: Precision) -> int:
-    """The bits of the greatest whole number up to which all whole numbers are exact."""
-    match precision:
-        case Precision.HALF:
-            return 11
-        case Precision.SINGLE:
-            return 24
-        case Precision.DOUBLE:
-            return 53
-        case _:
-            assert_never(precision)
+significant_bits = OfPrecision(half=11, single=24, double=53)
+"""The bits of the greatest whole number up to which all whole numbers are exact."""

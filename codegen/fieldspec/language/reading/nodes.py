@@ -167,12 +167,8 @@ Change = Callable[[Node], Node | None]
 
 def find(node: Node, path: str) -> Node | None:
     """The node at a path, None if there is none."""
-    current: Node | None = node
-    for step in path.split("/"):
-        if current is None:
-            return None
-        current = _step(current, step)
-    return current
+    path_keys = _path_keys(node, path)
+    return None if path_keys is None else node_at(node, path_keys)
 
 
 def keys(node: Node, path: str) -> list[str | int] | None:
@@ -180,14 +176,17 @@ def keys(node: Node, path: str) -> list[str | int] | None:
 
     A path of a table to look up may end with a row by a cell, `lookups/pins/rows/pin=3`, if no other row has the cell.
     """
-    current: Node = node
+    return _path_keys(node, with_number_of_row(node, path))
+
+
+def _path_keys(node: Node, path: str) -> list[str | int] | None:
     path_keys: list[str | int] = []
-    for step in with_number_of_row(node, path).split("/"):
-        steps = _keys(current, step)
+    for step in path.split("/"):
+        steps = _keys(node, step)
         if steps is None:
             return None
-        current = node_at(current, steps)
         path_keys += steps
+        node = node_at(node, steps)
     return path_keys
 
 
@@ -265,7 +264,9 @@ def put(node: Node, node_keys: list[str | int], new: Node | None) -> Node:
 
 def changed(node: Node, path: str, change: Change) -> Node | None:
     """The tree with the node at a path changed, or None if there is no node."""
-    return _changed(node, path.split("/"), change)
+    path_keys = _path_keys(node, path)
+    new = change(node_at(node, path_keys)) if path_keys is not None else None
+    return put(node, path_keys, new) if path_keys is not None and new is not None else None
 
 
 def _inner(mapping: Mapping, step: str) -> tuple[str, Node] | None:
@@ -292,47 +293,4 @@ def _index(sequence: Sequence, step: str) -> int | None:
             return number
     if step.isdigit() and int(step) < len(sequence.items):
         return int(step)
-    return None
-
-
-def _step(node: Node, step: str) -> Node | None:
-    if isinstance(node, Sequence):
-        number = _index(node, step)
-        if number is None:
-            return None
-        item = node.items[number]
-        if identity(item) != step and isinstance(item, Mapping) and "group" in item.values:
-            return _step(item, step)
-        return item
-    if isinstance(node, Mapping):
-        inner = _inner(node, step)
-        if inner is None:
-            return None
-        key, value = inner
-        return value if key == step else _step(value, step)
-    return None
-
-
-def _changed(node: Node, steps: list[str], change: Change) -> Node | None:
-    if not steps:
-        return change(node)
-    step, *rest = steps
-    if isinstance(node, Sequence):
-        number = _index(node, step)
-        if number is None:
-            return None
-        item = node.items[number]
-        grouped = identity(item) != step and isinstance(item, Mapping) and "group" in item.values
-        new = _changed(item, steps if grouped else rest, change)
-        if new is None:
-            return None
-        items = (*node.items[:number], new, *node.items[number + 1 :])
-        return Sequence(node.file, node.start, node.end, items)
-    if isinstance(node, Mapping):
-        inner = _inner(node, step)
-        if inner is None:
-            return None
-        key, value = inner
-        new = _changed(value, rest if key == step else steps, change)
-        return None if new is None else node.with_value(key, new)
     return None

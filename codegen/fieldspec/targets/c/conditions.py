@@ -22,6 +22,7 @@ from fieldspec.language.model.encoding import (
     Digits,
     Encoding,
     Octets,
+    OfPrecision,
     Precision,
     Real,
     Text,
@@ -174,12 +175,9 @@ def _part_outside(encoding: Encoding, test: PartWithin, number: Expression) -> E
     return all_of([refused, *_beside(encoding, test.sentinels, number)])
 
 
+_CAN_OVERFLOW = OfPrecision(half=True, single=False, double=False)
+
+
 def _overflow(naming: Naming, precision: Precision, number: Expression) -> Expression | None:
     """What holds for a number of C that becomes infinite; None where C has it in the same precision."""
-    match precision:
-        case Precision.HALF:
-            return Call(naming.own("exceeds_half"), (number,))
-        case Precision.SINGLE | Precision.DOUBLE:
-            return None
-        case _:
-            assert_never(precision)
+    return Call(naming.own("exceeds_half"), (number,)) if _CAN_OVERFLOW(precision) else None

@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.model.encoding import Precision, Sign, Whole
+from fieldspec.language.model.encoding import OfPrecision, Precision, Sign, Whole
 from fieldspec.targets.c.expressions import Literal
 
 INT32, UINT32 = Whole(32, Sign.COMPLEMENT), Whole(32, Sign.NONE)
@@ -89,16 +88,13 @@ def whole_double(value: int) -> Literal:
     return Literal(f"{value}.0")
 
 
+_SUFFIX = OfPrecision(half="f", single="f", double="")
+
+
 def real(value: float, precision: Precision) -> Literal:
     """A number as a float, `16384.0f`, also for half precision, or as a double: `16384.0`"""
     text = repr(value) if isinstance(value, float) else f"{value}.0"
-    match precision:
-        case Precision.HALF | Precision.SINGLE:
-            return Literal(f"{text}f")
-        case Precision.DOUBLE:
-            return Literal(text)
-        case _:
-            assert_never(precision)
+    return Literal(text + _SUFFIX(precision))
 
 
 def double(value: float) -> Literal:

@@ -10,7 +10,7 @@ from fieldspec.language.model.encoding import (
     Digits,
     Encoding,
     Octets,
-    Precision,
+    OfPrecision,
     Real,
     Sign,
     Text,
@@ -92,16 +92,11 @@ def _whole(whole: Whole) -> Machine:
             assert_never(whole.sign)
 
 
-def _real(precision: Precision) -> Machine:
-    match precision:
-        case Precision.HALF:
-            return Machine("float", "uint16_t", "float_of_half", "half_of")
-        case Precision.SINGLE:
-            return Machine("float", "uint32_t", "float_of", "bits_of")
-        case Precision.DOUBLE:
-            return Machine("double", "uint64_t", "double_of", "bits_of_double")
-        case _:
-            assert_never(precision)
+_real = OfPrecision(
+    half=Machine("float", "uint16_t", "float_of_half", "half_of"),
+    single=Machine("float", "uint32_t", "float_of", "bits_of"),
+    double=Machine("double", "uint64_t", "double_of", "bits_of_double"),
+)
 
 
 def of_bits(naming: Naming, encoding: Encoding, bits: Expression) -> Expression:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 
 from fieldspec.codec.layout.device import DeviceLayout
@@ -13,7 +14,7 @@ from fieldspec.language.model.value import Value
 from fieldspec.targets.c.absent import AbsentValue, absent_values
 from fieldspec.targets.c.conditions import among_test, out_of_range_test
 from fieldspec.targets.c.conversions import COUNT, RAW, count_of_share
-from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment
+from fieldspec.targets.c.declarations import BLANK, Comment, Declaration, Function, comment
 from fieldspec.targets.c.expressions import (
     Call,
     Cast,
@@ -94,44 +95,67 @@ def declare_quantity(naming: Naming, scaled: ScaledValue) -> list[Declaration]:
     `codec_status reg_power_from_raw(int16_t raw, int16_t exponent, double *quantity)`, `reg_power_to_raw(...)`
     """
     value, exponent = scaled.value, scaled.exponent
-    kind, signed_exponent = Type(type_name(value)), Cast("int32_t", _EXPONENT)
+    signed_exponent = Cast("int32_t", _EXPONENT)
     unit = f", in {value.quantity_unit}" if value.quantity_unit else ""
-    ranges = _writable(value)
-    parameter = Variable(Type(type_name(exponent.value)), "exponent")
     valid = refuse(naming, negate(Group(_is_in(exponent.value, exponent.value.ranges, _EXPONENT))), "err_out_of_range")
+    text = comment(
+        f"{scaled.title} = raw * 10^{exponent.name}{unit}; refused for a count that stands for an absent value,",
+        f"and for an exponent that {exponent.name} may not have.",
+    )
+    return _both_ways(
+        naming,
+        value,
+        lambda word: scaled.function(naming, word),
+        (text, "for such a count or exponent"),
+        Call(naming.own("times_power"), (Cast("double", RAW), signed_exponent)),
+        Call(naming.own("over_power"), (_QUANTITY, signed_exponent)),
+        (Variable(Type(type_name(exponent.value)), "exponent"),),
+        valid,
+    )
+
+
+def _both_ways(
+    naming: Naming,
+    value: Value,
+    function: Callable[[str], str],
+    texts: tuple[Comment, str],
+    quantity: Expression,
+    count: Expression,
+    parameters: tuple[Variable, ...] = (),
+    valid: Body = (),
+) -> list[Declaration]:
+    """The functions from the count of a value to its quantity and back, with further parameters that are `valid`.
+
+    They are named by `function`. `texts` are the comment of the first, and what the second refuses besides.
+    """
+    kind, ranges = type_name(value), _writable(value)
     return [
-        comment(
-            f"{scaled.title} = raw * 10^{exponent.name}{unit}; refused for a count that stands for an absent value,",
-            f"and for an exponent that {exponent.name} may not have.",
-        ),
+        texts[0],
         Function(
             status_type(naming),
-            scaled.function(naming, "from_raw"),
-            (Variable(kind, "raw"), parameter, Variable(Type("double", pointer=True), "quantity")),
+            function("from_raw"),
+            (Variable(Type(kind), "raw"), *parameters, Variable(Type("double", pointer=True), "quantity")),
             (
                 *valid,
                 *_refuse_absent(naming, value, RAW),
-                assign(
-                    dereference(_QUANTITY),
-                    Call(naming.own("times_power"), (Cast("double", RAW), signed_exponent)),
-                ),
+                assign(dereference(_QUANTITY), quantity),
                 return_ok(naming),
             ),
         ),
         BLANK,
         comment(
             "The count of a quantity, the nearest one, of two equally near ones the even one; refused where it",
-            f"is not in {ranges.text()}, and for such a count or exponent.",
+            f"is not in {ranges.text()}, and {texts[1]}.",
         ),
         Function(
             status_type(naming),
-            scaled.function(naming, "to_raw"),
-            (Variable(_DOUBLE, "quantity"), parameter, Variable(Type(kind.name, pointer=True), "raw")),
+            function("to_raw"),
+            (Variable(_DOUBLE, "quantity"), *parameters, Variable(Type(kind, pointer=True), "raw")),
             count_of_share(
                 naming,
                 value.encoding,
                 (ranges.low, ranges.high),
-                (*valid, assign(COUNT, Call(naming.own("over_power"), (_QUANTITY, signed_exponent)))),
+                (*valid, assign(COUNT, count)),
                 lambda whole: (*_refuse_gaps(naming, value, whole), *_refuse_absent(naming, value, whole)),
             ),
         ),
@@ -155,43 +179,17 @@ def declare_fixed_quantity(naming: Naming, absent: AbsentValue) -> list[Declarat
     `codec_status reg_voltage_from_raw(int16_t raw, double *quantity)`, `reg_voltage_to_raw(...)`
     """
     value = absent.value
-    kind, ranges = Type(type_name(value)), _writable(value)
     scale, offset = Fraction(value.scale), Fraction(value.offset)
-    quantity = _plus(_times(Cast("double", RAW), scale), offset)
-    count = _times(_QUANTITY if not offset else Group(_plus(_QUANTITY, -offset)), 1 / scale)
     unit = f", in {value.quantity_unit}" if value.quantity_unit else ""
-    return [
-        comment(
-            f"{absent.title} as a quantity{unit}; refused for a count that stands for {_states(value)}.",
-        ),
-        Function(
-            status_type(naming),
-            naming.function(absent.noun, *absent.names, "from_raw"),
-            (Variable(kind, "raw"), Variable(Type("double", pointer=True), "quantity")),
-            (
-                *_refuse_absent(naming, value, RAW),
-                assign(dereference(_QUANTITY), quantity),
-                return_ok(naming),
-            ),
-        ),
-        BLANK,
-        comment(
-            "The count of a quantity, the nearest one, of two equally near ones the even one; refused where it",
-            f"is not in {ranges.text()}, and where it stands for {_states(value)}.",
-        ),
-        Function(
-            status_type(naming),
-            naming.function(absent.noun, *absent.names, "to_raw"),
-            (Variable(_DOUBLE, "quantity"), Variable(Type(kind.name, pointer=True), "raw")),
-            count_of_share(
-                naming,
-                value.encoding,
-                (ranges.low, ranges.high),
-                (assign(COUNT, count),),
-                lambda whole: (*_refuse_gaps(naming, value, whole), *_refuse_absent(naming, value, whole)),
-            ),
-        ),
-    ]
+    text = comment(f"{absent.title} as a quantity{unit}; refused for a count that stands for {_states(value)}.")
+    return _both_ways(
+        naming,
+        value,
+        lambda word: naming.function(absent.noun, *absent.names, word),
+        (text, f"where it stands for {_states(value)}"),
+        _plus(_times(Cast("double", RAW), scale), offset),
+        _times(_QUANTITY if not offset else Group(_plus(_QUANTITY, -offset)), 1 / scale),
+    )
 
 
 def _states(value: Value) -> str:

@@ -18,8 +18,8 @@ from fieldspec.language.model.encoding import (
     Digits,
     Encoding,
     Octets,
+    OfSign,
     Real,
-    Sign,
     Text,
     Truth,
     Whole,
@@ -53,16 +53,7 @@ def _upper_half(encoding: Encoding) -> Primitive | None:
             assert_never(encoding)
 
 
-def _half_of_sign(sign: Sign) -> Primitive | None:
-    match sign:
-        case Sign.NONE:
-            return PRIMITIVES["u32"]
-        case Sign.COMPLEMENT:
-            return PRIMITIVES["i32"]
-        case Sign.MAGNITUDE:
-            return None
-        case _:
-            assert_never(sign)
+_half_of_sign: OfSign[Primitive | None] = OfSign(none=PRIMITIVES["u32"], complement=PRIMITIVES["i32"], magnitude=None)
 
 
 def number_refusals(layout: DeviceLayout, dialect: Dialect) -> list[Refusal]:

@@ -10,7 +10,7 @@ from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import (
     Digits,
     Octets,
-    Precision,
+    OfPrecision,
     Real,
     Text,
     Truth,
@@ -28,7 +28,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     LREAL,
     REAL,
     WORD,
-    Elementary,
     Type,
     sequence,
 )
@@ -101,16 +100,7 @@ def wire_type(value: Value) -> Type:
             assert_never(encoding)
 
 
-def _real_type(precision: Precision) -> Elementary:
-    match precision:
-        case Precision.HALF:
-            return WORD
-        case Precision.SINGLE:
-            return REAL
-        case Precision.DOUBLE:
-            return LREAL
-        case _:
-            assert_never(precision)
+_real_type = OfPrecision(half=WORD, single=REAL, double=LREAL)
 
 
 def bits_remark(value: Value | None) -> str:

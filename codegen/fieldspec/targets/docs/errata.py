@@ -7,10 +7,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from decimal import Decimal
 
 from fieldspec.codec.explain.values import decimal_text, range_in_unit
+from fieldspec.language.changes.evidence import value_text
 from fieldspec.language.model.enums import Bit, Enum, Member
 from fieldspec.language.model.fact import Claim
-from fieldspec.language.model.primitives import Primitive
-from fieldspec.language.model.ranges import Ranges
 from fieldspec.language.model.record import Field, Message
 from fieldspec.language.model.registers import PrintedElement, Register, Table
 from fieldspec.language.model.texts import Erratum, Example
@@ -132,23 +131,13 @@ def _printed(key: str, value: object) -> str:
 
 def _value_text(value: object) -> str:
     """Any value of a spec as text."""
-    if value is None:
-        return ""
-    if isinstance(value, bool):
-        return {True: "yes", False: "no"}[value]
     if isinstance(value, Decimal):
         return f"{value:f}"
-    if isinstance(value, Ranges):
-        return value.text()
-    if isinstance(value, Primitive):
-        return value.name
-    if isinstance(value, bytes):
-        return value.hex(" ").upper()
     if isinstance(value, Mapping):
         return ", ".join(f"{key} {_value_text(inner)}" for key, inner in value.items())
     if isinstance(value, list | tuple):
         return ", ".join(_value_text(inner) for inner in value)
-    return str(value)
+    return value_text(value)
 
 
 def _spec_value(holder: Holder | None, key: str) -> str:

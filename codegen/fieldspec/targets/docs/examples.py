@@ -15,6 +15,7 @@ from fieldspec.language.model.record import Message
 from fieldspec.language.model.texts import Erratum, Example
 from fieldspec.targets.docs.context import Context, address, cited
 from fieldspec.targets.docs.document import (
+    Cell,
     DocumentTable,
     Facts,
     Line,
@@ -199,11 +200,7 @@ def _byte_row(row: ByteRow) -> TableRow:
             cell(code(row.raw.hex(" ").upper())),
             cell(code(_characters(row.sent))),
             cell(name, label(row.label)),
-            cell(raw_text(row.number)),
-            cell(row.value),
-            cell(*(_meaning(meaning) for meaning in row.meanings)),
-            cell(_verdict(row.verdict), *_errata(row)),
-            cell(row.source),
+            *_value_cells(row),
         )
     )
 
@@ -217,12 +214,18 @@ def _register_row(row: ByteRow) -> TableRow:
             cell(str(row.words)),
             cell(name, label(row.label)),
             cell(code(bytes_text)),
-            cell(raw_text(row.number)),
-            cell(row.value),
-            cell(*(_meaning(meaning) for meaning in row.meanings)),
-            cell(_verdict(row.verdict), *_errata(row)),
-            cell(row.source),
+            *_value_cells(row),
         )
+    )
+
+
+def _value_cells(row: ByteRow) -> tuple[Cell, ...]:
+    return (
+        cell(raw_text(row.number)),
+        cell(row.value),
+        cell(*(_meaning(meaning) for meaning in row.meanings)),
+        cell(_verdict(row.verdict), *_errata(row)),
+        cell(row.source),
     )
 
 

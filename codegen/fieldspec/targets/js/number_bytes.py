@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.model.encoding import Precision, Sign
+from fieldspec.language.model.encoding import OfPrecision, Sign
 
 BYTES_OF_OPERATOR = 4
 """The bytes of the widest number that operators on bits take."""
@@ -24,17 +24,10 @@ def place(base: str, offset: int) -> str:
     return f"{base} + {offset}" if offset else base
 
 
-def real_functions(precision: Precision) -> tuple[str, str]:
-    """The functions of the runtime that make a number of bits, and check it and make its bits."""
-    match precision:
-        case Precision.HALF:
-            return "halfOf", "halfBitsOf"
-        case Precision.SINGLE:
-            return "floatOf", "bitsOf"
-        case Precision.DOUBLE:
-            return "doubleOf", "doubleBitsOf"
-        case _:
-            assert_never(precision)
+real_functions = OfPrecision(
+    half=("halfOf", "halfBitsOf"), single=("floatOf", "bitsOf"), double=("doubleOf", "doubleBitsOf")
+)
+"""The functions of the runtime that make a number of bits, and check it and make its bits."""
 
 
 def whole_number(sign: Sign, terms: list[str]) -> str:

@@ -15,7 +15,7 @@ from fieldspec.language.model.encoding import (
     Digits,
     Encoding,
     Octets,
-    Precision,
+    OfPrecision,
     Real,
     Text,
     Truth,
@@ -177,14 +177,7 @@ def _has_instruction(encoding: Encoding) -> bool:
             assert_never(encoding)
 
 
-def _is_read(precision: Precision) -> bool:
-    match precision:
-        case Precision.HALF:
-            return False
-        case Precision.SINGLE | Precision.DOUBLE:
-            return True
-        case _:
-            assert_never(precision)
+_is_read = OfPrecision(half=False, single=True, double=True)
 
 
 def _rearrangement(text: str, placed_value: PlacedValue, dialect: WordDialect) -> str:

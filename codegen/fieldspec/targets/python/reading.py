@@ -10,6 +10,7 @@ from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import (
     Digits,
     Octets,
+    OfSign,
     Real,
     Sign,
     Text,
@@ -211,17 +212,12 @@ def _from_bytes(field: Slots, raw: str) -> str:
             assert_never(encoding)
 
 
+_READ_WHOLE = OfSign(none="_int_of({})", complement="_int_of({}, signed=True)", magnitude="_magnitude_of({})")
+
+
 def _whole_of_bytes(field: Slots, raw: str, sign: Sign) -> str:
     arguments = f'{f"_turned({raw})" if field.field.swapped else raw}, "{sent_order(field)}"'
-    match sign:
-        case Sign.NONE:
-            return f"_int_of({arguments})"
-        case Sign.COMPLEMENT:
-            return f"_int_of({arguments}, signed=True)"
-        case Sign.MAGNITUDE:
-            return f"_magnitude_of({arguments})"
-        case _:
-            assert_never(sign)
+    return _READ_WHOLE(sign).format(arguments)
 
 
 def _member(field: Slots, owner: str, raw: str, offset: int) -> list[str]:

@@ -18,6 +18,7 @@ from fieldspec.language.model.encoding import (
     Digits,
     Encoding,
     Octets,
+    OfEncoding,
     Real,
     Sign,
     Text,
@@ -218,6 +219,9 @@ class Slots:
         return None if full or not self.whole else ranges
 
 
+_TYPES = OfEncoding(whole="int", digits="int", truth="bool", real="float", text="str", octets="bytes")
+
+
 def value_type(value: Value, words: Words) -> str:
     """The type of the attribute for a value."""
     if value.flags:
@@ -225,20 +229,7 @@ def value_type(value: Value, words: Words) -> str:
     if value.enum and value.const is None:
         enum = words.enums[value.enum]
         return f"{enum.name} | int" if value.sentinels else enum.type
-    encoding = value.encoding
-    match encoding:
-        case Whole() | Digits():
-            return "int"
-        case Real():
-            return "float"
-        case Truth():
-            return "bool"
-        case Text():
-            return "str"
-        case Octets():
-            return "bytes"
-        case _:
-            assert_never(encoding)
+    return _TYPES(value.encoding)
 
 
 def native_order(fields: tuple[FieldLayout, ...]) -> str:

@@ -10,7 +10,7 @@ from fieldspec.language.model.encoding import (
     Digits,
     Encoding,
     Octets,
-    Precision,
+    OfPrecision,
     Real,
     Sign,
     Text,
@@ -249,17 +249,8 @@ def real_letters(field: Slots, real: Real) -> str:
     return literal(f"{'>' if sent_order(field) == 'big' else '<'}{struct_letter(real)}")
 
 
-def real_word(precision: Precision) -> str:
-    """The name of a floating-point format in the runtime."""
-    match precision:
-        case Precision.HALF:
-            return "half"
-        case Precision.SINGLE:
-            return "float"
-        case Precision.DOUBLE:
-            return "double"
-        case _:
-            assert_never(precision)
+real_word = OfPrecision(half="half", single="float", double="double")
+"""The name of a floating-point format in the runtime."""
 
 
 def digits_letters(value: Value, order: str, swapped: bool) -> str:

@@ -10,7 +10,7 @@ from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import MACHINE_BITS, Precision, Sign
 from fieldspec.language.model.enums import Bit
-from fieldspec.targets.queries.dialect import Body, DecimalScale, Slot
+from fieldspec.targets.queries.dialect import Body, DecimalScale, Dialect, Slot
 
 ELEMENT = "_pl.element()"
 
@@ -18,7 +18,7 @@ _OPERATORS = {"=": "==", "<>": "!=", "<": "<", ">": ">"}
 
 
 @dataclass(frozen=True, slots=True)
-class Polars:
+class Polars(Dialect):
     """The dialect. `variables` has the expressions that a function computes once, by the names of local variables."""
 
     variables: dict[str, str] = field(default_factory=dict)
@@ -34,7 +34,6 @@ class Polars:
         return self._names[expression]
 
     def whole(self, data: str, slot: Slot) -> str:
-        """The literal of a whole number."""
         place = f"{{}}, {slot.offset}, {slot.size}, {_order(slot)}"
         match slot.sign:
             case Sign.NONE:
@@ -49,7 +48,6 @@ class Polars:
                 assert_never(slot.sign)
 
     def real(self, data: str, slot: Slot, precision: Precision) -> str:
-        """The expression of a floating-point number."""
         place = f"{{}}, {slot.offset}, {slot.size}, {_order(slot)}"
         match precision:
             case Precision.HALF:
@@ -64,38 +62,30 @@ class Polars:
         return expression if data.startswith("_") else self.bind(expression)
 
     def bits(self, word: str, bit: Bit) -> str:
-        """The number in some bits of an unsigned number."""
         if not bit.pieces:
             return f"_bits({word}, {bit.first}, {bit.width}, {bit.signed})"
         runs = ", ".join(f"({run.first}, {run.width}, {run.weight})" for run in bit.runs)
         return f"_bits(_bits_apart({word}, [{runs}]), 0, {bit.width}, {bit.signed})"
 
     def bit(self, word: str, place: int) -> str:
-        """Whether a bit of an unsigned number is 1."""
         return self.mask(word, 1 << place)
 
     def mask(self, word: str, mask: int) -> str:
-        """Whether one of some bits of an unsigned number is 1."""
         return f"_any_bit({word}, {mask:#x})"
 
     def piece(self, data: str, offset: int, size: int) -> str:
-        """The expression of `size` bytes of the data from an offset on."""
         return f"_piece({data}, {offset}, {size})"
 
     def text(self, data: str) -> str:
-        """ASCII without the zeros at its end; null for other bytes."""
         return f"_text({data})"
 
     def not_ascii(self, data: str) -> str:
-        """Whether some byte is not ASCII."""
         return f"~_is_ascii({data})"
 
     def truth(self, number: str) -> str:
-        """0 as false, 1 as true, other numbers as null."""
         return f"_truth({number})"
 
     def member(self, number: str, enum: str) -> str:
-        """The name of a number by an enum; null where it has none."""
         return f"_names({number}, {enum})"
 
     def cases(
@@ -105,112 +95,84 @@ class Polars:
         nan: str = "",
         other: tuple[str, str] | None = None,
     ) -> str:
-        """The names of the numbers in some intervals, of a NaN, and of others where a condition holds; else null."""
         if other is None:
             return f"_states({number}, {dict(names)!r}, {nan!r})"
         return f"_states({number}, {dict(names)!r}, {nan!r}, {other[0]}, {other[1]!r})"
 
     def absent(self, value: str, number: str, intervals: Sequence[tuple[int, int]], nan: bool = False) -> str:
-        """A value that is null for the numbers in some intervals, and for a NaN."""
         return f"_absent({value}, {number}, {list(intervals)!r}, {nan})"
 
     def decimal(self, number: str, scale: DecimalScale) -> str:
-        """The expression of an exact quantity from a number in counts."""
         return f'_decimal({number}, "{scale.scale:f}", "{scale.offset:f}", {scale.places})'
 
     def ratio(self, number: str, scale: Fraction, offset: Fraction) -> str:
-        """number * scale + offset as a floating-point number."""
         below = lcm(scale.denominator, offset.denominator)
         numbers = [float(int(scale * below)), float(int(offset * below)), float(below)]
         return f"_ratio({number}, {', '.join(map(repr, numbers))})"
 
     def power(self, number: str, exponent: str, intervals: Sequence[tuple[int, int]]) -> str:
-        """number * 10^exponent as a floating-point number; null for an exponent that is in none of the intervals."""
         return f"_power({number}, {exponent}, {list(intervals)!r})"
 
     def is_in(self, number: str, intervals: Sequence[tuple[float, float]], floating: bool = False) -> str:
-        """Whether a number is in one of some intervals."""
         reals = any(isinstance(bound, float) for interval in intervals for bound in interval)
         return f"{'_is_within' if reals else '_is_in'}({number}, {list(intervals)!r})"
 
     def is_nan(self, number: str) -> str:
-        """Whether a floating-point number is not a number."""
         return f"{number}.is_nan()"
 
     def size(self, data: str) -> str:
-        """The expression of the number of bytes of the data."""
         return f"_size({data})"
 
     def compared(self, left: str, operator: str, right: str) -> str:
-        """A comparison: `<`, `>`, `=` or `<>`."""
         return f"({left} {_OPERATORS[operator]} {right})"
 
     def both(self, *conditions: str) -> str:
-        """Whether all conditions are true."""
         return f"({' & '.join(conditions)})"
 
     def either(self, *conditions: str) -> str:
-        """Whether a condition is true."""
         return f"({' | '.join(conditions)})"
 
     def negated(self, condition: str) -> str:
-        """Whether a condition is false."""
         return f"~{condition}"
 
     def units(self, data: str, offset: int, unit: int) -> str:
-        """The whole units of bytes from an offset to the end."""
         return f"((_size({data}) - {offset}) // {unit})" if unit > 1 else f"(_size({data}) - {offset})"
 
     def each(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
-        """The list of what `body` says of each element; without a count, of all elements to the end."""
         return f"_each({data}, {offset}, {size}, {count}, {body(ELEMENT)})"
 
     def some(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
-        """Whether the condition of `body` is true for some element."""
         return f"{self.each(data, offset, size, count, body)}.list.any()"
 
     def sized(self, data: str, minimum: int, maximum: int | None, offset: int, unit: int) -> str:
-        """The bytes where there are `minimum` to `maximum`, and whole units of them from an offset on; else null."""
         return f"_sized({data}, {minimum}, {maximum}, {offset}, {unit})"
 
     def chosen(self, data: str, condition: str) -> str:
-        """The bytes where a condition is true, else null."""
         return f"_pl.when({condition}).then({data}).otherwise(None)"
 
     def first(self, *values: str) -> str:
-        """The first value that is not null."""
         return f"_pl.coalesce({', '.join(values)})"
 
     def first_of(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
-        """The first of what `body` says of each element that is not null."""
         return f"{self.each(data, offset, size, count, body)}.list.drop_nulls().list.first()"
 
     def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
-        """The reason after the first condition that is true; null where none is."""
         rows = ", ".join(f'({condition}, "{reason}")' for condition, reason in refusals)
         return f"_reason([{rows}])"
 
     def words(self, address: str, size: int, unit: int = 2) -> str:
-        """The bytes at an address of the registers whose words, from the address `start` on, are the payload.
-
-        An address has `unit` bytes.
-        """
         return f"_words(payload, start, {address}, {size}{f', {unit}' if unit != 2 else ''})"
 
     def single_bit(self, address: int) -> str:
-        """The bit at an address where the payload has those from the address `start` on."""
         return f"_single_bit(payload, start, {address})"
 
     def argument(self, name: str) -> str:
-        """An argument of the query that is a number."""
         return f"{name}.cast(_pl.Int64)"
 
     def step(self, name: str) -> str:
-        """The name of an intermediate result."""
         return name
 
     def as_text(self, value: str) -> str:
-        """A number as a text."""
         return f"{value}.cast(_pl.String)"
 
 

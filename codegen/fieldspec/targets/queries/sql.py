@@ -11,7 +11,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Precision, Sign
 from fieldspec.language.model.enums import Bit
-from fieldspec.targets.queries.dialect import Body, DecimalScale, Slot
+from fieldspec.targets.queries.dialect import Body, DecimalScale, Dialect, Slot
 
 _TYPES = {1: "TINYINT", 2: "SMALLINT", 4: "INTEGER", 8: "BIGINT"}
 _WINDOW = 8
@@ -69,7 +69,7 @@ def windows_of(cuts: Sequence[int]) -> tuple[Window, ...]:
 
 
 @dataclass(frozen=True, slots=True)
-class Sql:
+class Sql(Dialect):
     """The dialect. Numbers of `windowed`, the bytes of a record of fixed size, are cut from the columns of windows."""
 
     windowed: str = ""
@@ -95,7 +95,6 @@ class Sql:
         yield from filter(None, (wide, narrow))
 
     def whole(self, data: str, slot: Slot) -> str:
-        """The literal of a whole number."""
         match slot.sign:
             case Sign.NONE | Sign.COMPLEMENT:
                 return self._of_complement(data, slot, slot.sign.is_signed)
@@ -139,7 +138,6 @@ class Sql:
         return shifted if start == window.start else f"({shifted} & {(1 << 8 * size) - 1})"
 
     def real(self, data: str, slot: Slot, precision: Precision) -> str:
-        """The expression of a floating-point number."""
         match precision:
             case Precision.HALF:
                 return _half(f"{self._of_complement(data, slot, False)}::BIGINT")
@@ -157,7 +155,6 @@ class Sql:
         return f"{self._unsigned(data, slot)}::{type_of(slot.size, False)}::BIT::{kind}"
 
     def bits(self, word: str, bit: Bit) -> str:
-        """The number in some bits of an unsigned number."""
         parts = [(f"(({word} >> {run.first}) & {run.most})", run.weight) for run in bit.runs]
         texts = [f"({part} << {weight})" if weight else part for part, weight in parts]
         number = texts[0] if len(texts) == 1 else f"({' | '.join(texts)})"
@@ -170,31 +167,24 @@ class Sql:
         return f"(xor({number}::BIGINT, {half}) - {half})::{type_of(size, True)}"
 
     def bit(self, word: str, place: int) -> str:
-        """Whether a bit of an unsigned number is 1."""
         return self.mask(word, 1 << place)
 
     def mask(self, word: str, mask: int) -> str:
-        """Whether one of some bits of an unsigned number is 1."""
         return f"({word} & {mask}) <> 0"
 
     def piece(self, data: str, offset: int, size: int) -> str:
-        """The expression of `size` bytes of the data from an offset on."""
         return f"{data}[{offset + 1}:{offset + size}]"
 
     def text(self, data: str) -> str:
-        """ASCII without the zeros at its end; null for other bytes."""
         return f"CASE WHEN regexp_full_match(hex({data}), '([0-7].)*') THEN rtrim(decode({data}), chr(0)) END"
 
     def not_ascii(self, data: str) -> str:
-        """Whether some byte is not ASCII."""
         return f"NOT regexp_full_match(hex({data}), '([0-7].)*')"
 
     def truth(self, number: str) -> str:
-        """0 as false, 1 as true, other numbers as null."""
         return f"CASE {number} WHEN 0 THEN false WHEN 1 THEN true END"
 
     def member(self, number: str, enum: str) -> str:
-        """The name of a number by an enum; null where it has none."""
         return f"{enum}({number})"
 
     def cases(
@@ -204,7 +194,6 @@ class Sql:
         nan: str = "",
         other: tuple[str, str] | None = None,
     ) -> str:
-        """The names of the numbers in some intervals, of a NaN, and of others where a condition holds; else null."""
         rows = [
             f"WHEN {number} {f'= {low}' if low == high else f'BETWEEN {low} AND {high}'} THEN {literal(text)}"
             for (low, high), text in names.items()
@@ -216,14 +205,12 @@ class Sql:
         return f"CASE {' '.join(rows)} END"
 
     def absent(self, value: str, number: str, intervals: Sequence[tuple[int, int]], nan: bool = False) -> str:
-        """A value that is null for the numbers in some intervals, and for a NaN."""
         tests = [f"isnan({number})"] if nan else []
         if intervals:
             tests.append(self.is_in(number, intervals).removeprefix("(").removesuffix(")"))
         return f"CASE WHEN NOT ({' OR '.join(tests)}) THEN {value} END"
 
     def decimal(self, number: str, scale: DecimalScale) -> str:
-        """The expression of an exact quantity from a number in counts."""
         # DuckDB multiplies decimals of at most 18 digits in 64 bits, also where the product has more.
         factors = scale.digits + len(scale.scale.as_tuple().digits)
         digits = scale.digits if max(factors, scale.precision) <= 18 else max(scale.digits, 19)
@@ -235,7 +222,6 @@ class Sql:
         return f"({result})::DECIMAL({max(scale.precision, 1)}, {scale.places})"
 
     def ratio(self, number: str, scale: Fraction, offset: Fraction) -> str:
-        """number * scale + offset as a floating-point number."""
         below = lcm(scale.denominator, offset.denominator)
         above = f"{number}::DOUBLE * {float(int(scale * below))!r}"
         if offset:
@@ -243,13 +229,11 @@ class Sql:
         return f"({above} / {float(below)!r})"
 
     def power(self, number: str, exponent: str, intervals: Sequence[tuple[int, int]]) -> str:
-        """number * 10^exponent as a floating-point number; null for an exponent that is in none of the intervals."""
         above, below = f"greatest({exponent}::DOUBLE, 0)", f"greatest(-{exponent}::DOUBLE, 0)"
         quantity = f"{number}::DOUBLE * pow(10, {above}) / pow(10, {below})"
         return f"CASE WHEN {self.is_in(exponent, intervals)} THEN {quantity} END"
 
     def is_in(self, number: str, intervals: Sequence[tuple[float, float]], floating: bool = False) -> str:
-        """Whether a number is in one of some intervals."""
         own = f"{number}::DOUBLE" if floating else number
         tests = [f"{own} BETWEEN {low} AND {high}" for low, high in intervals if low != high]
         single = [str(low) for low, high in intervals if low == high]
@@ -258,46 +242,36 @@ class Sql:
         return f"({' OR '.join(tests)})" if tests else "false"
 
     def is_nan(self, number: str) -> str:
-        """Whether a floating-point number is not a number."""
         return f"isnan({number})"
 
     def size(self, data: str) -> str:
-        """The expression of the number of bytes of the data."""
         return f"octet_length({data})"
 
     def compared(self, left: str, operator: str, right: str) -> str:
-        """A comparison: `<`, `>`, `=` or `<>`."""
         return f"{left} {operator} {right}"
 
     def both(self, *conditions: str) -> str:
-        """Whether all conditions are true."""
         return f"({' AND '.join(conditions)})"
 
     def either(self, *conditions: str) -> str:
-        """Whether a condition is true."""
         return f"({' OR '.join(conditions)})"
 
     def negated(self, condition: str) -> str:
-        """Whether a condition is false."""
         return f"NOT {condition}"
 
     def units(self, data: str, offset: int, unit: int) -> str:
-        """The whole units of bytes from an offset to the end."""
         return f"((octet_length({data}) - {offset}) // {unit})" if unit > 1 else f"(octet_length({data}) - {offset})"
 
     def each(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
-        """The list of what `body` says of each element; without a count, of all elements to the end."""
         number = self.units(data, offset, size) if count is None else str(count)
         element = f"{data}[{offset + 1} + {size} * i : {offset + size} + {size} * i]"
         elements = f"list_transform(range({number}), lambda i: {body(element)})"
         return f"CASE WHEN {data} IS NOT NULL THEN {elements} END"
 
     def some(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
-        """Whether the condition of `body` is true for some element."""
         return f"list_bool_or({self.each(data, offset, size, count, body)})"
 
     def sized(self, data: str, minimum: int, maximum: int | None, offset: int, unit: int) -> str:
-        """The bytes where there are `minimum` to `maximum`, and whole units of them from an offset on; else null."""
         size = self.size(data)
         tests = [f"{size} = {minimum}" if minimum == maximum else f"{size} >= {minimum}"]
         if maximum is not None and maximum != minimum:
@@ -307,46 +281,34 @@ class Sql:
         return self.chosen(data, " AND ".join(tests))
 
     def chosen(self, data: str, condition: str) -> str:
-        """The bytes where a condition is true, else null."""
         return f"CASE WHEN {condition} THEN {data} END"
 
     def first(self, *values: str) -> str:
-        """The first value that is not null."""
         return f"coalesce({', '.join(values)})"
 
     def first_of(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
-        """The first of what `body` says of each element that is not null."""
         return f"list_filter({self.each(data, offset, size, count, body)}, lambda own: own IS NOT NULL)[1]"
 
     def reason(self, refusals: Sequence[tuple[str, str]]) -> str:
-        """The reason after the first condition that is true; null where none is."""
         rows = [f"WHEN {condition} THEN {literal(reason)}" for condition, reason in refusals]
         return f"CASE {' '.join(rows)} END"
 
     def words(self, address: str, size: int, unit: int = 2) -> str:
-        """The bytes at an address of the registers whose words, from the address `start` on, are the payload.
-
-        An address has `unit` bytes.
-        """
         offset = f"{unit} * ({address} - start::BIGINT)"
         condition = f"{address} >= start::BIGINT AND {offset} + {size} <= octet_length(payload)"
         return f"CASE WHEN {condition} THEN payload[{offset} + 1 : {offset} + {size}] END"
 
     def single_bit(self, address: int) -> str:
-        """The bit at an address where the payload has those from the address `start` on."""
         offset = f"({address} - start::BIGINT)"
         condition = f"{offset} >= 0 AND {offset} // 8 < octet_length(payload)"
         byte = f"payload[{offset} // 8 + 1 : {offset} // 8 + 1]::BIT::UTINYINT"
         return f"CASE WHEN {condition} THEN ({byte} >> ({offset} % 8)::UTINYINT) & 1 = 1 END"
 
     def argument(self, name: str) -> str:
-        """An argument of the query that is a number."""
         return f"{name}::BIGINT"
 
     def step(self, name: str) -> str:
-        """The name of an intermediate result."""
         return f'"fieldspec_{name}"'
 
     def as_text(self, value: str) -> str:
-        """A number as a text."""
         return f"({value})::VARCHAR"

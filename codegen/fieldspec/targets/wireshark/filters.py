@@ -11,7 +11,7 @@ from fieldspec.language.model.encoding import (
     Digits,
     Encoding,
     Octets,
-    Precision,
+    OfPrecision,
     Real,
     Text,
     Truth,
@@ -155,14 +155,7 @@ def _type(encoding: Encoding) -> str:
             assert_never(encoding)
 
 
-def _real_type(precision: Precision) -> str:
-    match precision:
-        case Precision.HALF | Precision.SINGLE:
-            return "FLOAT"
-        case Precision.DOUBLE:
-            return "DOUBLE"
-        case _:
-            assert_never(precision)
+_real_type = OfPrecision(half="FLOAT", single="FLOAT", double="DOUBLE")
 
 
 def _whole_type(whole: Whole) -> str:

@@ -10,7 +10,7 @@ from functools import lru_cache
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.ranges import intervals
 from fieldspec.language.model.texts import Erratum
-from fieldspec.language.reading.building.context import citations
+from fieldspec.language.reading.building.citations import citations
 from fieldspec.tools.audit.line_facts import lines_of
 from fieldspec.tools.audit.manual_lines import index_line
 from fieldspec.tools.audit.pattern import PieceValue

@@ -12,7 +12,7 @@ from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.language.model.fact import Citation
 from fieldspec.language.model.texts import Erratum
-from fieldspec.language.reading.building.context import citations
+from fieldspec.language.reading.building.citations import citations
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.nodes import Node, Scalar, children
 from fieldspec.tools.facts import COLUMNS, FactRow

@@ -22,7 +22,7 @@ class TableWriter(Protocol):
         """Writes what is left. The file itself stays open."""
 
 
-class ParquetTable:
+class ParquetTable(TableWriter):
     """Parquet with zstd. Numbers are packed by their differences, texts are dictionaries, so that filters are fast."""
 
     def __init__(self, file: BinaryIO, table: str) -> None:
@@ -53,7 +53,7 @@ def _is_packed(kind: Any) -> bool:
     return bool(pa.types.is_int64(kind) or pa.types.is_timestamp(kind))
 
 
-class ArrowTable:
+class ArrowTable(TableWriter):
     """An Arrow file. Texts are written whole, because the dictionaries of a file cannot change."""
 
     def __init__(self, file: BinaryIO, table: str) -> None:
@@ -61,7 +61,6 @@ class ArrowTable:
         self.writer = pa.ipc.new_file(file, self.schema)
 
     def write(self, batch: Any) -> None:
-        """Adds a record batch."""
         self.writer.write_batch(batch.cast(self.schema))
 
     def close(self) -> None:
@@ -69,7 +68,7 @@ class ArrowTable:
         self.writer.close()
 
 
-class CsvTable:
+class CsvTable(TableWriter):
     """CSV with a row of headings. Bytes are hexadecimal digits; what is unknown is empty."""
 
     def __init__(self, file: BinaryIO, table: str) -> None:
@@ -80,7 +79,6 @@ class CsvTable:
         self.writer = csv.CSVWriter(file, self.schema)
 
     def write(self, batch: Any) -> None:
-        """Adds a record batch."""
         columns = [_csv_column(column).cast(own.type) for column, own in zip(batch.columns, self.schema, strict=True)]
         self.writer.write_batch(pa.RecordBatch.from_arrays(columns, schema=self.schema))
 
@@ -89,14 +87,13 @@ class CsvTable:
         self.writer.close()
 
 
-class JsonTable:
+class JsonTable(TableWriter):
     """One JSON object in each line, without the keys of what is unknown. Times are ISO 8601, bytes hexadecimal."""
 
     def __init__(self, file: BinaryIO, table: str) -> None:
         self.file, self.names = file, [field.name for field in SCHEMAS[table]]
 
     def write(self, batch: Any) -> None:
-        """Adds a record batch."""
         columns = []
         for column, field in zip(batch.columns, batch.schema, strict=True):
             if pa.types.is_binary(field.type):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Protocol
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
@@ -22,7 +23,7 @@ class DumpRow:
 
 
 if TYPE_CHECKING:
-    from typing import Any, Protocol, TypeAlias
+    from typing import Any, TypeAlias
 
     from fieldspec.tools.live import reading, writing
     from fieldspec.tools.live.messages import ParameterAssignment, SignalReading
@@ -35,85 +36,86 @@ if TYPE_CHECKING:
     Assignment: TypeAlias = writing.Assignment | ParameterAssignment
     """A value that is to be written, and what a person should know before."""
 
-    class Access(Protocol):
-        """Values of a device by name. Those that talk to it raise NoAnswerError and CarrierError."""
 
-        layout: DeviceLayout
-        what: str
-        """The noun in the message about an unknown name."""
-        heading: str
-        """The heading of the numbers of values: `address` or `number`."""
+class Access(Protocol):
+    """Values of a device by name. Those that talk to it raise NoAnswerError and CarrierError."""
 
-        def number(self, value: Any) -> int | None:
-            """The address or the number of a value; None where it has none."""
+    layout: DeviceLayout
+    what: str
+    """The noun in the message about an unknown name."""
+    heading: str
+    """The heading of the numbers of values: `address` or `number`."""
 
-        def number_text(self, number: int | None) -> str:
-            """The address or number of a value as people write it."""
+    def number(self, value: Any) -> int | None:
+        """The address or the number of a value; None where it has none."""
 
-        def dump_rows(self, items: Sequence[Item], values: Sequence[Any]) -> list[DumpRow]:
-            """The rows of a dump of values that were read, in order."""
+    def number_text(self, number: int | None) -> str:
+        """The address or number of a value as people write it."""
 
-        def items(self) -> Sequence[Item]:
-            """All items that have a name."""
+    def dump_rows(self, items: Sequence[Item], values: Sequence[Any]) -> list[DumpRow]:
+        """The rows of a dump of values that were read, in order."""
 
-        def path(self, item: Item) -> str:
-            """The path of an item."""
+    def items(self) -> Sequence[Item]:
+        """All items that have a name."""
 
-        def value(self, item: Item) -> Value:
-            """The value of an item."""
+    def path(self, item: Item) -> str:
+        """The path of an item."""
 
-        def named(self, name: str) -> list[Item]:
-            """The items that a name means; none where it is unknown."""
+    def value(self, item: Item) -> Value:
+        """The value of an item."""
 
-        def harmless(self) -> list[Item]:
-            """The items that can be read without an effect."""
+    def named(self, name: str) -> list[Item]:
+        """The items that a name means; none where it is unknown."""
 
-        def reason_unread(self, name: str) -> str:
-            """The reason why items of a name are not read; empty where the name means none."""
+    def harmless(self) -> list[Item]:
+        """The items that can be read without an effect."""
 
-        def remarks(self, names: Sequence[str]) -> list[str]:
-            """The values of the device that are not read with some names, or without names."""
+    def reason_unread(self, name: str) -> str:
+        """The reason why items of a name are not read; empty where the name means none."""
 
-        def objection(self, item: Item) -> str:
-            """The reason why an item is in no list that is written to a device; empty where it may be."""
+    def remarks(self, names: Sequence[str]) -> list[str]:
+        """The values of the device that are not read with some names, or without names."""
 
-        def assignment(self, item: Item, text: str) -> Assignment:
-            """The assignment of a value as people write it. Raises WriteError."""
+    def objection(self, item: Item) -> str:
+        """The reason why an item is in no list that is written to a device; empty where it may be."""
 
-        def together(self, chosen: Sequence[Any]) -> tuple[list[Any], dict[str, str]]:
-            """Assignments with what is written beside them in one request, and by path why some are not written."""
+    def assignment(self, item: Item, text: str) -> Assignment:
+        """The assignment of a value as people write it. Raises WriteError."""
 
-        def intended(self, chosen: Any) -> Reading:
-            """What would be read once a value is written."""
+    def together(self, chosen: Sequence[Any]) -> tuple[list[Any], dict[str, str]]:
+        """Assignments with what is written beside them in one request, and by path why some are not written."""
 
-        def size(self, items: Iterable[Item]) -> int:
-            """The number of steps that a read of items has, in which `read` tells its progress."""
+    def intended(self, chosen: Any) -> Reading:
+        """What would be read once a value is written."""
 
-        def read(
-            self, client: Client, items: Sequence[Item], done: Callable[[int], None] | None = None
-        ) -> Iterator[Reading]:
-            """Reads items, each once. A refused one costs no other."""
+    def size(self, items: Iterable[Item]) -> int:
+        """The number of steps that a read of items has, in which `read` tells its progress."""
 
-        def frame(self, client: Client, chosen: Any) -> bytes:
-            """The request that writes a value; in a table that moves, at its usual address. Raises WriteError."""
+    def read(
+        self, client: Client, items: Sequence[Item], done: Callable[[int], None] | None = None
+    ) -> Iterator[Reading]:
+        """Reads items, each once. A refused one costs no other."""
 
-        def address_register(self, chosen: Any) -> str:
-            """The register that says where the table of a value begins; empty where its address is fixed."""
+    def frame(self, client: Client, chosen: Any) -> bytes:
+        """The request that writes a value; in a table that moves, at its usual address. Raises WriteError."""
 
-        def write(self, client: Client, chosen: Any) -> None:
-            """Writes a value, once. Raises WriteError and RefusedError."""
+    def address_register(self, chosen: Any) -> str:
+        """The register that says where the table of a value begins; empty where its address is fixed."""
 
-        def read_back(self, client: Client, chosen: Any) -> Reading | None:
-            """The value of the device after a write; None for what does not give back what was written."""
+    def write(self, client: Client, chosen: Any) -> None:
+        """Writes a value, once. Raises WriteError and RefusedError."""
 
-        def signals(self, item: Item, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
-            """The roles of a value or of its bits, each with its mask; -1 for all bits."""
+    def read_back(self, client: Client, chosen: Any) -> Reading | None:
+        """The value of the device after a write; None for what does not give back what was written."""
 
-        def item(self, chosen: Any) -> Item:
-            """The item to which a value is assigned."""
+    def signals(self, item: Item, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
+        """The roles of a value or of its bits, each with its mask; -1 for all bits."""
 
-        def words_of(self, value: Any, text: str) -> tuple[int, ...]:
-            """The words that a text means for a value that was read. Raises WriteError."""
+    def item(self, chosen: Any) -> Item:
+        """The item to which a value is assigned."""
+
+    def words_of(self, value: Any, text: str) -> tuple[int, ...]:
+        """The words that a text means for a value that was read. Raises WriteError."""
 
 
 def differs(chosen: Assignment, now: Reading) -> bool:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from fieldspec.codec.explain.hazards import reads_state, roles_of
 from fieldspec.language.model.access import writable
-from fieldspec.tools.live.access import DumpRow, clears_on_read, role_masks
+from fieldspec.tools.live.access import Access, DumpRow, clears_on_read, role_masks
 from fieldspec.tools.live.left_out import ADVICE, reason_unread, remarks
 from fieldspec.tools.live.messages import (
     ParameterAssignment,
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from fieldspec.tools.live.client import Client
 
 
-class ParameterAccess:
+class ParameterAccess(Access):
     """The values that the messages of a link read and write, by name. An item is a signal."""
 
     what, heading = "value", "number"
@@ -42,12 +42,10 @@ class ParameterAccess:
         self._items = list(signals(layout, link))
 
     def number(self, value: SignalReading) -> int | None:
-        """The number of a parameter on the wire; None for a value in a response."""
         numbered = value.signal.numbered
         return numbered.wire_number if numbered is not None else None
 
     def number_text(self, number: int | None) -> str:
-        """The number of a parameter as people write it."""
         return "" if number is None else str(number)
 
     def dump_rows(self, items: Sequence[Signal], values: Sequence[SignalReading]) -> list[DumpRow]:
@@ -67,15 +65,12 @@ class ParameterAccess:
         return [DumpRow(*key, " ".join(map(str, own))) for key, own in sorted(counts.items()) if own]
 
     def items(self) -> Sequence[Signal]:
-        """All values that messages read."""
         return self._items
 
     def path(self, item: Signal) -> str:
-        """The path of an item."""
         return item.path
 
     def value(self, item: Signal) -> Value:
-        """The value of an item."""
         return item.value
 
     def named(self, name: str) -> list[Signal]:
@@ -92,12 +87,10 @@ class ParameterAccess:
         ]
 
     def reason_unread(self, name: str) -> str:
-        """Why what a name means is not read; empty where it means nothing."""
         reason = reason_unread(self.link, name)
         return f"{reason}: {ADVICE}" if reason else ""
 
     def remarks(self, names: Sequence[str]) -> list[str]:
-        """The values of the device that are not read with some names, or without names."""
         return list(remarks(self.layout, self.link, names))
 
     def objection(self, item: Signal) -> str:
@@ -123,7 +116,6 @@ class ParameterAccess:
         return ""
 
     def assignment(self, item: Signal, text: str) -> ParameterAssignment:
-        """The assignment of a value as people write it. Raises WriteError."""
         return parameter_assignment(self.layout, self.link, item, text)
 
     def together(self, chosen: Sequence[ParameterAssignment]) -> tuple[list[ParameterAssignment], dict[str, str]]:
@@ -131,7 +123,6 @@ class ParameterAccess:
         return list(chosen), {}
 
     def intended(self, chosen: ParameterAssignment) -> SignalReading:
-        """What would be read once a value is written."""
         return signal_reading(self.layout, chosen.signal, chosen.raw)
 
     def size(self, items: Iterable[Signal]) -> int:
@@ -148,7 +139,6 @@ class ParameterAccess:
             yield value
 
     def frame(self, client: Client, chosen: ParameterAssignment) -> bytes:
-        """The request that writes a value. Raises WriteError."""
         return parameter_request(client, chosen)[2]
 
     def address_register(self, chosen: ParameterAssignment) -> str:
@@ -156,24 +146,19 @@ class ParameterAccess:
         return ""
 
     def write(self, client: Client, chosen: ParameterAssignment) -> None:
-        """Writes a value, once. Raises WriteError, NoAnswerError, RefusedError and CarrierError."""
         write_parameter(client, chosen)
 
     def read_back(self, client: Client, chosen: ParameterAssignment) -> SignalReading | None:
-        """The value of the device after a write. Raises NoAnswerError and CarrierError."""
         numbered = chosen.signal.numbered
         if numbered is not None and (numbered.parameter.trigger or chosen.signal.access == "wo"):
             return None
         return next(read_signals(client, [chosen.signal]))
 
     def signals(self, item: Signal, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
-        """The roles of a value or of its bits, each with its mask; -1 for all bits."""
         yield from role_masks(self.layout.device, item.fact, item.value, roles)
 
     def item(self, chosen: ParameterAssignment) -> Signal:
-        """The item to which a value is assigned."""
         return chosen.signal
 
     def words_of(self, value: SignalReading, text: str) -> tuple[int, ...]:
-        """The meaning of a text for a value that was read. Raises WriteError."""
         return self.assignment(value.signal, text).words

@@ -21,7 +21,7 @@ from fieldspec.foundation.classes import replace
 from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.registers import Table
 from fieldspec.tools.live import writing
-from fieldspec.tools.live.access import DumpRow, role_masks
+from fieldspec.tools.live.access import Access, DumpRow, role_masks
 from fieldspec.tools.live.bases import read_bases
 from fieldspec.tools.live.reading import Reading, all_occupants, blocks, read, reading
 from fieldspec.tools.live.shared_words import SharedWords, merged
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     Placed: TypeAlias = tuple[str, Occupant]
 
 
-class RegisterAccess:
+class RegisterAccess(Access):
     """The registers of a device. An item is what is at an address, with its space."""
 
     what, heading = "register", "address"
@@ -53,11 +53,9 @@ class RegisterAccess:
         self._shared = SharedWords(layout, self._items)
 
     def number(self, value: Reading) -> int:
-        """The address of a value."""
         return value.occupant.address
 
     def number_text(self, number: int | None) -> str:
-        """The address of a value as people write it."""
         return "" if number is None else f"0x{number:04X}"
 
     def dump_rows(self, items: Sequence[Placed], values: Sequence[Reading]) -> list[DumpRow]:
@@ -70,15 +68,12 @@ class RegisterAccess:
         return [DumpRow(space, address, str(words[space, address])) for space, address in sorted(words)]
 
     def items(self) -> Sequence[Placed]:
-        """The occupants of all addresses."""
         return self._items
 
     def path(self, item: Placed) -> str:
-        """The path of an item."""
         return item[1].path
 
     def value(self, item: Placed) -> Value:
-        """The value of an item."""
         return item[1].value
 
     def named(self, name: str) -> list[Placed]:
@@ -131,11 +126,9 @@ class RegisterAccess:
         return []
 
     def objection(self, item: Placed) -> str:
-        """Why an item is in no list that is written to a device; empty where it may be."""
         return _objection(self.layout, item[1]) or self._shared.objection(item, partial(_objection, self.layout))
 
     def assignment(self, item: Placed, text: str) -> Assignment:
-        """The assignment of a value as people write it. Raises WriteError."""
         return writing.assignment(self.layout, *item, text)
 
     def together(self, chosen: Sequence[Assignment]) -> tuple[list[Assignment], dict[str, str]]:
@@ -143,7 +136,6 @@ class RegisterAccess:
         return self._shared.together(chosen)
 
     def intended(self, chosen: Assignment) -> Reading:
-        """What would be read once a value is written."""
         return reading(self.layout, chosen.space, chosen.occupant, chosen.words)
 
     def size(self, items: Iterable[Placed]) -> int:
@@ -239,21 +231,17 @@ class RegisterAccess:
         return replace(reading(self.layout, space, replace(occupant, value=value), own.words), occupant=occupant)
 
     def frame(self, client: Client, chosen: Assignment) -> bytes:
-        """The request that writes a value; in a table that moves, at its usual address. Raises WriteError."""
         return request_frame(client, chosen)[2]
 
     def address_register(self, chosen: Assignment) -> str:
-        """The register that says where the table of a value begins; empty where its address is fixed."""
         table = chosen.occupant.outer
         is_moving = isinstance(table, Table) and table.name in self._moving
         return base_of_table(self.layout, table.name).path if is_moving else ""
 
     def write(self, client: Client, chosen: Assignment) -> None:
-        """Writes a value, once. Raises WriteError, NoAnswerError, RefusedError and CarrierError."""
         writing.write(client, self._placed(client, chosen))
 
     def read_back(self, client: Client, chosen: Assignment) -> Reading | None:
-        """The value of the device after a write. Raises NoAnswerError and CarrierError."""
         try:
             placed = self._placed(client, chosen)
         except writing.WriteError as error:
@@ -261,17 +249,14 @@ class RegisterAccess:
         return writing.read_back(client, placed)
 
     def signals(self, item: Placed, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
-        """The roles of a value or of its bits, each with its mask; -1 for all bits."""
         occupant = item[1]
         if readable(occupant.access):
             yield from role_masks(self.layout.device, occupant.fact, occupant.value, roles)
 
     def item(self, chosen: Assignment) -> Placed:
-        """The item to which a value is assigned."""
         return chosen.space, chosen.occupant
 
     def words_of(self, value: Reading, text: str) -> tuple[int, ...]:
-        """The words that a text means for a value that was read. Raises WriteError."""
         own = writing.assignment(self.layout, "", value.occupant, text)
         return merged(value.words, own.words, own.mask) if own.mask else own.words
 

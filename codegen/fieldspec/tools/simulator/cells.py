@@ -52,14 +52,12 @@ class WordCell(Cell):
         return [*map(self.memory.words.__getitem__, self._addresses)]
 
     def read(self) -> Raw:
-        """The raw value."""
         words = self._words()
         if words != self._read[0]:
             self._read = words, self.memory.read(self.space, self.occupant)
         return self._read[1]
 
     def write(self, raw: Raw) -> None:
-        """Sets the raw value."""
         text = repr(raw)
         if (self._words(), text) != self._written:
             self.memory.write(self.space, self.occupant, raw)
@@ -75,11 +73,9 @@ class ElementCell(Cell):
         memory.elements.watch([element])
 
     def read(self) -> Raw:
-        """The raw value."""
         return self.memory.elements[self.element]
 
     def write(self, raw: Raw) -> None:
-        """Sets the raw value."""
         self.memory.elements[self.element] = raw
 
 
@@ -93,11 +89,9 @@ class FieldCell(Cell):
         memory.fields.watch([path])
 
     def read(self) -> Raw:
-        """The raw value."""
         return self.memory.fields.get(self.path, self.default)
 
     def write(self, raw: Raw) -> None:
-        """Sets the raw value."""
         self.memory.fields[self.path] = raw
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair
-from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.changes.descriptions import change, changed, difference_text, named
 from fieldspec.language.changes.evidence import hexadecimal
 from fieldspec.language.model.address_space import AddressSpace
 from fieldspec.language.model.record import Message
@@ -47,9 +47,9 @@ def table_moved(comparison: Comparison) -> Iterator[Change]:
             text = f"{named(pair.new)} begins at {new}, and began at {old}"
             yield change("table_moved", Effect.WIRE, pair, "base", text, old, new)
         old = comparison.renamed_to("registers", pair.old.base_by) if pair.old.base_by else ""
-        if old != pair.new.base_by:
-            text = f"{named(pair.new)}: {difference_text('the register of its address', old, pair.new.base_by)}"
-            yield change("table_moved", Effect.WIRE, pair, "base_by", text, old, pair.new.base_by)
+        yield from changed(
+            "table_moved", Effect.WIRE, pair, "base_by", "the register of its address", old, pair.new.base_by
+        )
 
 
 def stride_changed(comparison: Comparison) -> Iterator[Change]:
@@ -65,8 +65,9 @@ def stride_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.any_of(Register, Table):
         old, new = pair.old.stride, pair.new.stride
         if old != new and min(pair.old.count, pair.new.count) > 1:
-            text = f"{named(pair.new)}: {difference_text('the distance of its elements in words', old, new)}"
-            yield change("stride_changed", Effect.WIRE, pair, "stride", text, old, new)
+            yield from changed(
+                "stride_changed", Effect.WIRE, pair, "stride", "the distance of its elements in words", old, new
+            )
 
 
 def index_changed(comparison: Comparison) -> Iterator[Change]:
@@ -81,9 +82,9 @@ def index_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.any_of(Register, Table):
         old, new = pair.old.index_from, pair.new.index_from
-        if old != new:
-            text = f"{named(pair.new)}: {difference_text('the number of the first element', old, new)}"
-            yield change("index_changed", Effect.WIRE, pair, "index_from", text, old, new)
+        yield from changed(
+            "index_changed", Effect.WIRE, pair, "index_from", "the number of the first element", old, new
+        )
     for inner in comparison.of(Subindex):
         if inner.old.indices != inner.new.indices:
             text = f"{named(inner.new)}: {difference_text('the sub-index', inner.old.indices, inner.new.indices)}"
@@ -102,20 +103,15 @@ def number_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for pair in comparison.of(Parameter):
-        old, new = pair.old.number, pair.new.number
-        if old != new:
-            effect = Effect.DOCS if pair.old.reserved and pair.new.reserved else Effect.WIRE
-            text = f"{named(pair.new)}: {difference_text('the number', old, new)}"
-            yield change("number_changed", effect, pair, "number", text, old, new)
+        effect = Effect.DOCS if pair.old.reserved and pair.new.reserved else Effect.WIRE
+        yield from changed("number_changed", effect, pair, "number", "the number", pair.old.number, pair.new.number)
     for set_pair in comparison.of(ParameterSet):
         space = set_pair.new.name if set_pair.old.space == set_pair.old.name else set_pair.old.space
         for key, subject, before, after in (
             ("base", "what is added to its numbers", set_pair.old.base, set_pair.new.base),
             ("space", "the space of its numbers", space, set_pair.new.space),
         ):
-            if before != after:
-                text = f"{named(set_pair.new)}: {difference_text(subject, before, after)}"
-                yield change("number_changed", Effect.WIRE, set_pair, key, text, before, after)
+            yield from changed("number_changed", Effect.WIRE, set_pair, key, subject, before, after)
 
 
 _OF_SPACE = (
@@ -145,9 +141,7 @@ def space_changed(comparison: Comparison) -> Iterator[Change]:
     for space in comparison.of(AddressSpace):
         for key, subject, effect in _OF_SPACE:
             old, new = _space_value(space.old, key), _space_value(space.new, key)
-            if old != new:
-                text = f"{named(space.new)}: {difference_text(subject, old, new)}"
-                yield change("space_changed", effect, space, key, text, old, new)
+            yield from changed("space_changed", effect, space, key, subject, old, new)
 
 
 def _space_value(space: AddressSpace, key: str) -> object:
@@ -158,6 +152,4 @@ def _space_value(space: AddressSpace, key: str) -> object:
 def _moved(comparison: Comparison, pair: Pair[Any], before: str, after: str, key: str) -> Iterator[Change]:
     old = comparison.renamed_to("spaces", comparison.old.space_name(before))
     new = comparison.new.space_name(after)
-    if old != new:
-        text = f"{named(pair.new)}: {difference_text('the address space', old, new)}"
-        yield change("space_changed", Effect.WIRE, pair, key, text, old, new)
+    yield from changed("space_changed", Effect.WIRE, pair, key, "the address space", old, new)

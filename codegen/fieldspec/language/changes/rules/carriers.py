@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison
-from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.changes.descriptions import change, changed, named
 from fieldspec.language.model.link import Link, Network, Serial
 
 _NONE = Serial((), None, (), (), (), None, ())
@@ -36,9 +36,7 @@ def serial_changed(comparison: Comparison) -> Iterator[Change]:
         before, after = pair.old.serial or _NONE, pair.new.serial or _NONE
         for key in _SERIAL_KEYS:
             old, new = getattr(before, key), getattr(after, key)
-            if old != new:
-                text = f"{named(pair.new)}: {difference_text(key.replace('_', ' '), old, new)}"
-                yield change("serial_changed", Effect.BEHAVIOUR, pair, "serial", text, old, new)
+            yield from changed("serial_changed", Effect.BEHAVIOUR, pair, "serial", key.replace("_", " "), old, new)
 
 
 def default_link_changed(comparison: Comparison) -> Iterator[Change]:
@@ -74,9 +72,7 @@ def network_changed(comparison: Comparison) -> Iterator[Change]:
         before, after = pair.old.network or _NO_NETWORK, pair.new.network or _NO_NETWORK
         for key in ("tcp", "udp"):
             old, new = getattr(before, key), getattr(after, key)
-            if old != new:
-                text = f"{named(pair.new)}: {difference_text(f'{key.upper()} port', old, new)}"
-                yield change("network_changed", Effect.BEHAVIOUR, pair, "network", text, old, new)
+            yield from changed("network_changed", Effect.BEHAVIOUR, pair, "network", f"{key.upper()} port", old, new)
 
 
 def timing_changed(comparison: Comparison) -> Iterator[Change]:
@@ -92,6 +88,6 @@ def timing_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Link):
         for key, unit in (("silence_characters", "characters"), ("silence_milliseconds", "milliseconds")):
             old, new = getattr(pair.old, key), getattr(pair.new, key)
-            if old != new:
-                text = f"{named(pair.new)}: {difference_text('the silence between frames in ' + unit, old, new)}"
-                yield change("timing_changed", Effect.BEHAVIOUR, pair, "silence", text, old, new)
+            yield from changed(
+                "timing_changed", Effect.BEHAVIOUR, pair, "silence", "the silence between frames in " + unit, old, new
+            )

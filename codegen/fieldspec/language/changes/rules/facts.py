@@ -8,7 +8,7 @@ from typing import Any
 from fieldspec.language.changes.attributes import ALL, CONSEQUENCES, PYTHON, TEXTS, C
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair, Unpaired
-from fieldspec.language.changes.descriptions import around, change, difference_text, kind, named, path, span, within
+from fieldspec.language.changes.descriptions import around, change, changed, kind, named, path, span, within
 from fieldspec.language.changes.evidence import enumeration, value_text
 from fieldspec.language.model.address_space import AddressSpace
 from fieldspec.language.model.device import Device, Version
@@ -166,9 +166,7 @@ def applicability_changed(comparison: Comparison) -> Iterator[Change]:
             old, new = getattr(pair.old, key), getattr(pair.new, key)
             if key == "messages":
                 old = tuple(comparison.renamed_to(key, name) for name in old)
-            if old != new:
-                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
-                yield change("applicability_changed", Effect.BEHAVIOUR, pair, key, text, old, new)
+            yield from changed("applicability_changed", Effect.BEHAVIOUR, pair, key, subject, old, new)
 
 
 def documentation_changed(comparison: Comparison) -> Iterator[Change]:
@@ -278,5 +276,4 @@ def example_changed(comparison: Comparison) -> Iterator[Change]:
             old = comparison.renamed_to(_EXAMPLE_KEYS[key], old) if key in _EXAMPLE_KEYS else old
             if old != new:
                 subject = f"the {key.replace('_', ' ')}" if isinstance(new, str | bytes) else key
-                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
-                yield change("example_changed", Effect.DOCS, pair, key, text, old, new)
+                yield from changed("example_changed", Effect.DOCS, pair, key, subject, old, new)

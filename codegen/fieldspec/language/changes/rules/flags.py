@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from fieldspec.language.changes.attributes import ALL
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison
-from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.changes.descriptions import change, changed, named
 from fieldspec.language.changes.evidence import bits
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, State
@@ -49,8 +49,7 @@ def flags_changed(comparison: Comparison) -> Iterator[Change]:
         before, after = _names(comparison.old, value_pair.old.flags), _names(comparison.new, new)
         lost = bool(before) and bool(after) and not before <= after
         effect = Effect.WIRE if lost else Effect.SOURCE
-        text = f"{named(value_pair.of.new)}: {difference_text('the word of flags', old, new)}"
-        yield change("flags_changed", effect, value_pair, "flags", text, old, new, ALL)
+        yield from changed("flags_changed", effect, value_pair, "flags", "the word of flags", old, new, ALL)
 
 
 def _names(device: Device, name: str) -> set[tuple[str, str]]:
@@ -70,9 +69,7 @@ def polarity_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.of(Bit):
         old, new = pair.old.active, pair.new.active
-        if old != new:
-            text = f"{named(pair.new)}: {difference_text('the active level', old, new)}"
-            yield change("polarity_changed", Effect.WIRE, pair, "active", text, old, new)
+        yield from changed("polarity_changed", Effect.WIRE, pair, "active", "the active level", old, new)
 
 
 def state_changed(comparison: Comparison) -> Iterator[Change]:
@@ -91,8 +88,7 @@ def state_changed(comparison: Comparison) -> Iterator[Change]:
             old = tuple(comparison.renamed_to(word, name) for name in getattr(pair.old, key))
             new = getattr(pair.new, key)
             if sorted(old) != sorted(new):
-                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
-                yield change("state_changed", Effect.WIRE, pair, key, text, old, new)
+                yield from changed("state_changed", Effect.WIRE, pair, key, subject, old, new)
 
 
 def edge_changed(comparison: Comparison) -> Iterator[Change]:
@@ -107,9 +103,7 @@ def edge_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.of(Bit):
         old, new = pair.old.edge, pair.new.edge
-        if old != new:
-            text = f"{named(pair.new)}: {difference_text('the edge that has the effect', old, new)}"
-            yield change("edge_changed", Effect.BEHAVIOUR, pair, "edge", text, old, new)
+        yield from changed("edge_changed", Effect.BEHAVIOUR, pair, "edge", "the edge that has the effect", old, new)
 
 
 def reserved_changed(comparison: Comparison) -> Iterator[Change]:

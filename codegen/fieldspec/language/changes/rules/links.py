@@ -8,7 +8,7 @@ from fieldspec.foundation.classes import replace
 from fieldspec.language.changes.attributes import PYTHON, C
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair
-from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.changes.descriptions import change, changed, difference_text, named
 from fieldspec.language.changes.evidence import hexadecimal, value_text
 from fieldspec.language.changes.message_texts import SUBJECTS_OF_BITS, access_text, bits_text, segments_text, steps_text
 from fieldspec.language.model.device import Detection, Device, Version, VersionLine
@@ -43,13 +43,9 @@ def framing_changed(comparison: Comparison) -> Iterator[Change]:
             old, new = _framing(pair.old, key), _framing(pair.new, key)
             common = key.startswith("response_") and pair.old.has_common_delimiters and pair.new.has_common_delimiters
             if old != new and not common:
-                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
-                yield change("framing_changed", Effect.WIRE, pair, key, text, old, new)
+                yield from changed("framing_changed", Effect.WIRE, pair, key, subject, old, new)
     for part in comparison.of(Part):
-        old, new = _bits(part.old), _bits(part.new)
-        if old != new:
-            text = f"{named(part.new)}: {difference_text('its bits', old, new)}"
-            yield change("framing_changed", Effect.WIRE, part, "bits", text, old, new)
+        yield from changed("framing_changed", Effect.WIRE, part, "bits", "its bits", _bits(part.old), _bits(part.new))
 
 
 def _bits(part: Part) -> str:
@@ -83,11 +79,8 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Part):
         if pair.old.algorithm != pair.new.algorithm:
             for key, old, new in _computations(pair.old, pair.new):
-                text = f"{named(pair.new)}: {difference_text(f'the {key}', old, new)}"
-                yield change("check_changed", Effect.WIRE, pair, key, text, old, new)
-        if pair.old.digits != pair.new.digits:
-            text = f"{named(pair.new)}: {difference_text('the digits', pair.old.digits, pair.new.digits)}"
-            yield change("check_changed", Effect.WIRE, pair, "digits", text, pair.old.digits, pair.new.digits)
+                yield from changed("check_changed", Effect.WIRE, pair, key, f"the {key}", old, new)
+        yield from changed("check_changed", Effect.WIRE, pair, "digits", "the digits", pair.old.digits, pair.new.digits)
         old, new = _span_text(pair.old), _span_text(pair.new)
         if old != new and _extent(comparison, pair, 0) != _extent(comparison, pair, 1):
             check = "checksum" in (pair.old.role, pair.new.role)
@@ -155,22 +148,17 @@ def code_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Message):
         if pair.old.code != pair.new.code:
             old, new = hexadecimal(pair.old.code), hexadecimal(pair.new.code)
-            text = f"{named(pair.new)}: {difference_text('the code', old, new)}"
-            yield change("code_changed", Effect.WIRE, pair, "code", text, old, new)
+            yield from changed("code_changed", Effect.WIRE, pair, "code", "the code", old, new)
         response_codes = pair.old.code_of("response"), pair.new.code_of("response")
         is_stated = pair.old.response_code is not None or pair.new.response_code is not None
         if is_stated and response_codes[0] != response_codes[1]:
             old, new = map(hexadecimal, response_codes)
-            text = f"{named(pair.new)}: {difference_text('the code of the response', old, new)}"
-            yield change("code_changed", Effect.WIRE, pair, "response_code", text, old, new)
+            yield from changed("code_changed", Effect.WIRE, pair, "response_code", "the code of the response", old, new)
         if (pair.old.remote is None) != (pair.new.remote is None):
             old, new = ("data" if own.remote is None else "remote request" for own in (pair.old, pair.new))
-            text = f"{named(pair.new)}: {difference_text('the request', old, new)}"
-            yield change("code_changed", Effect.WIRE, pair, "remote", text, old, new)
-        if pair.old.number != pair.new.number:
-            effect = Effect.WIRE if pair.new.code is None else Effect.DOCS
-            text = f"{named(pair.new)}: {difference_text('the number', pair.old.number, pair.new.number)}"
-            yield change("code_changed", effect, pair, "number", text, pair.old.number, pair.new.number)
+            yield from changed("code_changed", Effect.WIRE, pair, "remote", "the request", old, new)
+        effect = Effect.WIRE if pair.new.code is None else Effect.DOCS
+        yield from changed("code_changed", effect, pair, "number", "the number", pair.old.number, pair.new.number)
 
 
 def exception_response_changed(comparison: Comparison) -> Iterator[Change]:
@@ -188,9 +176,9 @@ def exception_response_changed(comparison: Comparison) -> Iterator[Change]:
             _error_text(comparison, pair.old.exception_response, True),
             _error_text(comparison, pair.new.exception_response, False),
         )
-        if old != new:
-            text = f"{named(pair.new)}: {difference_text('the exception response', old, new)}"
-            yield change("exception_response_changed", Effect.WIRE, pair, "exception_response", text, old, new)
+        yield from changed(
+            "exception_response_changed", Effect.WIRE, pair, "exception_response", "the exception response", old, new
+        )
 
 
 def _error_text(comparison: Comparison, error: ExceptionResponse | None, before: bool) -> str:
@@ -218,16 +206,16 @@ def role_changed(comparison: Comparison) -> Iterator[Change]:
             yield _role_text(part, "role", "the role", part.old.role, part.new.role)
         request_path = part.old.place.path.rpartition("/")[0].rpartition("/")[0] + "/request"
         same = comparison.renamed_to(request_path, part.old.same_as) if part.old.same_as else ""
-        if same != part.new.same_as:
-            text = f"{named(part.new)}: {difference_text('the part that it repeats', same, part.new.same_as)}"
-            yield change("role_changed", Effect.BEHAVIOUR, part, "same_as", text, same, part.new.same_as)
+        yield from changed(
+            "role_changed", Effect.BEHAVIOUR, part, "same_as", "the part that it repeats", same, part.new.same_as
+        )
     for field in comparison.of(Field):
         yield from _of_field(comparison, field)
     for value_pair in comparison.values:
         old, new = _parameter(value_pair.old.parameter, comparison), _parameter(value_pair.new.parameter, None)
-        if old != new:
-            text = f"{named(value_pair.of.new)}: {difference_text('the part of a parameter that it is', old, new)}"
-            yield change("role_changed", Effect.WIRE, value_pair, "parameter", text, old, new)
+        yield from changed(
+            "role_changed", Effect.WIRE, value_pair, "parameter", "the part of a parameter that it is", old, new
+        )
     for message in comparison.of(Message):
         before, after = access_text(comparison, message.old), access_text(None, message.new)
         if before != after:
@@ -263,9 +251,9 @@ def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
             yield _role_text(pair, "choice", "what decides its type", old, pair.new.choice.subject)
     request_path = holder_path.rpartition("/")[0] + "/request"
     repeated_name = pair.old.same_as and comparison.renamed_to(request_path, pair.old.same_as)
-    if repeated_name != pair.new.same_as:
-        text = f"{named(pair.new)}: {difference_text('the field that it repeats', repeated_name, pair.new.same_as)}"
-        yield change("role_changed", Effect.BEHAVIOUR, pair, "same_as", text, repeated_name, pair.new.same_as)
+    yield from changed(
+        "role_changed", Effect.BEHAVIOUR, pair, "same_as", "the field that it repeats", repeated_name, pair.new.same_as
+    )
 
 
 def _measure(measure: Measure | None) -> str:
@@ -313,8 +301,9 @@ def sending_changed(comparison: Comparison) -> Iterator[Change]:
                 stated = (pair.old.answered_on, pair.new.answered_on) != (None, None)
             if stated and sorted(old) != sorted(new):
                 lost = key == "answered_on" or (key == "links" and bool(set(old) - set(new)))
-                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
-                yield change("sending_changed", Effect.WIRE if lost else Effect.BEHAVIOUR, pair, key, text, old, new)
+                yield from changed(
+                    "sending_changed", Effect.WIRE if lost else Effect.BEHAVIOUR, pair, key, subject, old, new
+                )
 
 
 def _answered_on(device: Device, message: Message) -> tuple[str, ...]:
@@ -337,9 +326,9 @@ def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
 
     for link in comparison.of(Link):
         old, new = (side.unit_addresses.broadcast if side.unit_addresses else None for side in (link.old, link.new))
-        if old != new:
-            text = f"{named(link.new)}: {difference_text('the address of all stations', old, new)}"
-            yield change("broadcast_changed", Effect.WIRE, link, "unit_addresses", text, old, new)
+        yield from changed(
+            "broadcast_changed", Effect.WIRE, link, "unit_addresses", "the address of all stations", old, new
+        )
     for message in comparison.of(Message):
         if message.old.broadcast != message.new.broadcast:
             text = {True: "can", False: "cannot", None: "may or may not"}[message.new.broadcast]

@@ -8,7 +8,7 @@ from fieldspec.foundation.classes import attributes
 from fieldspec.language.changes.bounds import bounds_pairs, text, without
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison
-from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.changes.descriptions import change, changed, named
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.record import Field, Message
 from fieldspec.language.model.registers import Parameter, Register, Subindex, Table
@@ -72,13 +72,11 @@ def default_changed(comparison: Comparison) -> Iterator[Change]:
         if old != new:
             filling = value_pair.reserved and value_pair.new.const is None and (old or 0) != (new or 0)
             effect = Effect.WIRE if filling else Effect.BEHAVIOUR
-            text = f"{named(value_pair.of.new)}: {difference_text('the default', old, new)}"
-            yield change("default_changed", effect, value_pair, "default", text, old, new)
+            yield from changed("default_changed", effect, value_pair, "default", "the default", old, new)
     for pair in comparison.of(Bit):
         if pair.old.default != pair.new.default:
             old, new = pair.old.default, pair.new.default
-            text = f"{named(pair.new)}: {difference_text('the default', old, new)}"
-            yield change("default_changed", Effect.BEHAVIOUR, pair, "default", text, old, new)
+            yield from changed("default_changed", Effect.BEHAVIOUR, pair, "default", "the default", old, new)
 
 
 _KEYS = {
@@ -104,10 +102,8 @@ def limit_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Limit):
         for attribute, (key, subject) in _KEYS.items():
             old, new = getattr(pair.old, attribute), getattr(pair.new, attribute)
-            if old != new:
-                effect = Effect.DOCS if attribute == "kind" else Effect.BEHAVIOUR
-                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
-                yield change("limit_changed", effect, pair, key, text, old, new)
+            effect = Effect.DOCS if attribute == "kind" else Effect.BEHAVIOUR
+            yield from changed("limit_changed", effect, pair, key, subject, old, new)
 
 
 def access_changed(comparison: Comparison) -> Iterator[Change]:
@@ -123,9 +119,7 @@ def access_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.any_of(Register, Table, Field, Parameter, Subindex):
         old, new = pair.old.access, pair.new.access
-        if old != new:
-            text = f"{named(pair.new)}: {difference_text('the access', old, new)}"
-            yield change("access_changed", Effect.BEHAVIOUR, pair, "access", text, old, new)
+        yield from changed("access_changed", Effect.BEHAVIOUR, pair, "access", "the access", old, new)
 
 
 _HANDLING_TEXTS = {
@@ -169,9 +163,7 @@ def handling_changed(comparison: Comparison) -> Iterator[Change]:
             before, after = getattr(handled.old.handling, key), getattr(handled.new.handling, key)
             if key in _PATHS and before:
                 before = comparison.renamed_path(before)
-            if before != after:
-                text = f"{named(handled.new)}: {difference_text(_ASKED[key], before, after)}"
-                yield change("handling_changed", Effect.BEHAVIOUR, handled, key, text, before, after)
+            yield from changed("handling_changed", Effect.BEHAVIOUR, handled, key, _ASKED[key], before, after)
 
 
 def restart_changed(comparison: Comparison) -> Iterator[Change]:
@@ -187,5 +179,6 @@ def restart_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.any_of(Register, Field, Parameter):
         old, new = pair.old.restart, pair.new.restart
         if old != new and not pair.new.reserved:
-            text = f"{named(pair.new)}: {difference_text('whether a restart is needed', old, new)}"
-            yield change("restart_changed", Effect.BEHAVIOUR, pair, "restart", text, old, new)
+            yield from changed(
+                "restart_changed", Effect.BEHAVIOUR, pair, "restart", "whether a restart is needed", old, new
+            )

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from fieldspec.language.changes.attributes import PYTHON
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair, fields_beside
-from fieldspec.language.changes.descriptions import change, difference_text, kind, named, path, span
+from fieldspec.language.changes.descriptions import change, changed, difference_text, kind, named, path, span
 from fieldspec.language.changes.evidence import enumeration
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.record import Case, Field
@@ -105,8 +105,7 @@ def case_changed(comparison: Comparison) -> Iterator[Change]:
         old, new = tuple(comparison.renamed_to(f"enums/{enum}", name) for name in pair.old.when), pair.new.when
         if set(old) != set(new):
             effect = Effect.BEHAVIOUR if set(old) <= set(new) else Effect.WIRE
-            text = f"{named(pair.new)}: {difference_text('what it applies to', old, new)}"
-            yield change("case_changed", effect, pair, "when", text, old, new)
+            yield from changed("case_changed", effect, pair, "when", "what it applies to", old, new)
 
 
 def _enum(comparison: Comparison, field: Field) -> str:
@@ -135,9 +134,9 @@ def count_changed(comparison: Comparison) -> Iterator[Change]:
         yield from _grown(pair, "count", pair.old.count, pair.new.count)
     for table in comparison.of(Table):
         old = comparison.renamed_to("registers", table.old.count_by) if table.old.count_by else ""
-        if old != table.new.count_by:
-            text = f"{named(table.new)}: {difference_text('the register of its count', old, table.new.count_by)}"
-            yield change("count_changed", Effect.WIRE, table, "count_by", text, old, table.new.count_by)
+        yield from changed(
+            "count_changed", Effect.WIRE, table, "count_by", "the register of its count", old, table.new.count_by
+        )
     for parameter in comparison.of(Parameter):
         yield from _grown(parameter, "elements", parameter.old.elements or 1, parameter.new.elements or 1)
     for field in comparison.of(Field):
@@ -145,10 +144,8 @@ def count_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _grown(pair: Pair[Register] | Pair[Table] | Pair[Parameter], key: str, old: int, new: int) -> Iterator[Change]:
-    if old != new:
-        effect = Effect.BEHAVIOUR if new > old else Effect.WIRE
-        text = f"{named(pair.new)}: {difference_text('the number of elements', old, new)}"
-        yield change("count_changed", effect, pair, key, text, old, new)
+    effect = Effect.BEHAVIOUR if new > old else Effect.WIRE
+    yield from changed("count_changed", effect, pair, key, "the number of elements", old, new)
 
 
 def _in_frame(pair: Pair[Field]) -> Iterator[Change]:
@@ -167,5 +164,6 @@ def _in_frame(pair: Pair[Field]) -> Iterator[Change]:
     elif pair.old.count != pair.new.count:
         same = (pair.old.count or 1) == (pair.new.count or 1)
         effect, outputs = (Effect.SOURCE, (PYTHON,)) if same else (Effect.WIRE, ())
-        text = f"{named(pair.new)}: {difference_text('the number of elements', pair.old.count, pair.new.count)}"
-        yield change("count_changed", effect, pair, "count", text, pair.old.count, pair.new.count, outputs)
+        yield from changed(
+            "count_changed", effect, pair, "count", "the number of elements", pair.old.count, pair.new.count, outputs
+        )

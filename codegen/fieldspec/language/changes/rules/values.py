@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from fieldspec.language.changes.attributes import ALL, PYTHON
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair, ValuePair
-from fieldspec.language.changes.descriptions import change, difference_text, named
+from fieldspec.language.changes.descriptions import change, changed, difference_text, named
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
@@ -118,14 +118,12 @@ def scale_changed(comparison: Comparison) -> Iterator[Change]:
             ("offset", value_pair.old.offset, value_pair.new.offset),
         ):
             if old != new and (key == "offset" or value_pair.old.scale != value_pair.new.scale):
-                text = f"{named(value_pair.of.new)}: {difference_text('the ' + key, old, new)}"
-                yield change("scale_changed", Effect.WIRE, value_pair, key, text, old, new)
+                yield from changed("scale_changed", Effect.WIRE, value_pair, key, "the " + key, old, new)
         exponent = _exponent(comparison, value_pair)
         if exponent != value_pair.new.scale_by:
             new = value_pair.new.scale_by
             subject = "the exponent" if isinstance(value_pair.of.new, Field) else "the register of the exponent"
-            text = f"{named(value_pair.of.new)}: {difference_text(subject, exponent, new)}"
-            yield change("scale_changed", Effect.WIRE, value_pair, "scale_by", text, exponent, new)
+            yield from changed("scale_changed", Effect.WIRE, value_pair, "scale_by", subject, exponent, new)
 
 
 def _exponent(comparison: Comparison, pair: ValuePair) -> str:
@@ -149,9 +147,7 @@ def unit_changed(comparison: Comparison) -> Iterator[Change]:
 
     for value_pair in (*comparison.values, *_of_bits(comparison)):
         old, new = value_pair.old.quantity_unit, value_pair.new.quantity_unit
-        if old != new:
-            text = f"{named(value_pair.of.new)}: {difference_text('the unit', old, new)}"
-            yield change("unit_changed", Effect.WIRE, value_pair, "unit", text, old, new, (PYTHON,))
+        yield from changed("unit_changed", Effect.WIRE, value_pair, "unit", "the unit", old, new, (PYTHON,))
     for unit in comparison.of(DeclaredUnit):
         for key, subject in (("symbol", "the symbol"), ("quantity", "what it measures"), ("factor", "the factor")):
             before, after = getattr(unit.old, key) or None, getattr(unit.new, key) or None
@@ -222,9 +218,7 @@ def const_changed(comparison: Comparison) -> Iterator[Change]:
 
     for value_pair in comparison.all_values:
         old, new = value_pair.old.const, value_pair.new.const
-        if old != new:
-            text = f"{named(value_pair.of.new)}: {difference_text('the constant', old, new)}"
-            yield change("const_changed", Effect.WIRE, value_pair, "const", text, old, new)
+        yield from changed("const_changed", Effect.WIRE, value_pair, "const", "the constant", old, new)
 
 
 def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
@@ -241,23 +235,24 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
         for key in ("byte_order", "word_order"):
             old, new = (_device_order(device, key) for device in (comparison.old, comparison.new))
             if old != new and getattr(link.old, key) != getattr(link.new, key):
-                text = f"{named(link.new)}: {difference_text('the ' + key.replace('_', ' '), old, new)}"
-                yield change("byte_order_changed", Effect.WIRE, link, key, text, old, new)
+                yield from changed(
+                    "byte_order_changed", Effect.WIRE, link, key, "the " + key.replace("_", " "), old, new
+                )
     for part in comparison.of(Part):
         if all(side.algorithm and checksum_named(side.algorithm).has_order for side in (part.old, part.new)):
             old, new = part.old.byte_order or "little", part.new.byte_order or "little"
-            if old != new:
-                text = f"{named(part.new)}: {difference_text('the byte order of the checksum', old, new)}"
-                yield change("byte_order_changed", Effect.WIRE, part, "byte_order", text, old, new)
+            yield from changed(
+                "byte_order_changed", Effect.WIRE, part, "byte_order", "the byte order of the checksum", old, new
+            )
     for value_pair in comparison.values:
         for key in ("byte_order", "word_order", "write_word_order"):
             if getattr(value_pair.old, key) == getattr(value_pair.new, key):
                 continue
             if _ordered(value_pair.old, key) and _ordered(value_pair.new, key):
                 old, new = _order(value_pair.old, comparison.old, key), _order(value_pair.new, comparison.new, key)
-                if old != new:
-                    text = f"{named(value_pair.of.new)}: {difference_text('the ' + key.replace('_', ' '), old, new)}"
-                    yield change("byte_order_changed", Effect.WIRE, value_pair, key, text, old, new)
+                yield from changed(
+                    "byte_order_changed", Effect.WIRE, value_pair, key, "the " + key.replace("_", " "), old, new
+                )
 
 
 def _ordered(value: Value, key: str) -> bool:
@@ -301,6 +296,4 @@ def conversion_changed(comparison: Comparison) -> Iterator[Change]:
             ("signals", "what it applies to", renamed, pair.new.signals),
             ("references", "the reference", paths, pair.new.references),
         ):
-            if old != new:
-                text = f"{named(pair.new)}: {difference_text(subject, old, new)}"
-                yield change("conversion_changed", Effect.WIRE, pair, key, text, old, new)
+            yield from changed("conversion_changed", Effect.WIRE, pair, key, subject, old, new)

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from decimal import Decimal
-from functools import lru_cache
+from functools import cache
 from typing import Any, TypeAlias, TypeVar, cast
 
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.source import Span
 from fieldspec.language.diagnostics import Diagnostic, Label
-from fieldspec.language.model.fact import Citation, Claim, Place, Report, ScalarValue, Standard
+from fieldspec.language.model.fact import Citation, Claim, Fact, Place, Report, ScalarValue, Standard
 from fieldspec.language.model.ranges import Ranges, intervals, whole_intervals
 from fieldspec.language.model.value import HANDLING_KEYS, UNSPECIFIED, Handling
+from fieldspec.language.reading.building.citations import citations, common_section
 from fieldspec.language.reading.nodes import CHECKED, Mapping, Node, Scalar, Sequence, exact, with_checked_keys
+
+M = TypeVar("M")
 
 _CLAIM_META = ("source", "doc")
 _REPORT_META = ("by", "how")
@@ -228,18 +230,24 @@ class Entry:
                     arguments[argument] = read(self, key)
         return arguments
 
+    def built(self, model: type[M], **stated: Any) -> M:
+        """An object of the model: what is not stated here is under the keys with the names of its attributes."""
+        arguments = self.fact() if issubclass(model, Fact) else {}
+        absent, readers, places = _keys_of(model.__mro__)
+        arguments |= absent
+        for name in places:
+            arguments[name] = self.place() if name == "place" else self.sources
+        for holder in (self.node,) if self.defaults is None else (self.defaults, self.node):
+            for key in holder.values.keys() & readers.keys():
+                arguments[key] = readers[key](self, key)
+        return model(**arguments | stated)
+
     def handling(self) -> Handling:
         """The handling of the value."""
         if self.defaults is None and self.own.keys().isdisjoint(HANDLING_KEYS):
             return UNSPECIFIED
         endurance = self.value("endurance")
-        return Handling(
-            memory=self.text("memory"),
-            saved_by=self.text("saved_by"),
-            endurance="" if endurance is None else str(endurance),
-            clears_on_read=self.flag("clears_on_read"),
-            opposite_of=self.text("opposite_of"),
-        )
+        return self.built(Handling, endurance="" if endurance is None else str(endurance))
 
     def claims(self, key: str) -> tuple[Claim, ...]:
         """The statements of other places of the manual about a fact."""
@@ -276,6 +284,32 @@ class Entry:
         )
 
 
+_READERS: dict[str, tuple[Callable[[Entry, str], object], object]] = {
+    "str": (Entry.text, ""),
+    "tuple[str, ...]": (Entry.texts, ()),
+    "bool": (Entry.flag, False),
+    "bool | None": (Entry.maybe, None),
+    "int | None": (Entry.integer, None),
+    "Decimal | None": (Entry.decimal, None),
+}
+"""How attributes of these types are read, and what they are where the key is not given."""
+
+
+@cache
+def _keys_of(
+    classes: tuple[type, ...],
+) -> tuple[dict[str, object], dict[str, Callable[[Entry, str], object]], tuple[str, ...]]:
+    """What attributes are without keys, how their keys are read, and which say where an entry is.
+
+    `classes` are a class and all that it extends. The attributes of every fact are left out.
+    """
+    bases = [base for base in classes if base not in Fact.__mro__]
+    types = {name: kind for base in bases for name, kind in vars(base).get("__annotations__", {}).items()}
+    read = {name: _READERS[kind] for name, kind in types.items() if kind in _READERS}
+    places = tuple(name for name in ("place", "sources") if name in types)
+    return {name: own[1] for name, own in read.items()}, {name: own[0] for name, own in read.items()}, places
+
+
 _FACT: dict[str, tuple[str, Callable[[Entry, str], object], object]] = {
     "name": ("name", Entry.text, ""),
     "printed_name": ("printed_name", Entry.text, ""),
@@ -309,30 +343,6 @@ def free(node: Node | None) -> dict[str, object]:
     """A mapping of free form as plain data."""
     data = exact(node) if node is not None else {}
     return data if isinstance(data, dict) else {}
-
-
-_NUMBERS = re.compile(r"[0-9]+")
-_CITED = re.compile(r"(?:([0-9A-Za-z.]+)(?: |$))??(?:([LP])([0-9].*))?$")
-
-
-@lru_cache(maxsize=65536)
-def citations(text: str, section: str) -> tuple[Citation, ...]:
-    """`8.2 L1622-1623, 1630; 9.1 L5` as citations; a part without a section takes the one given. `P` marks pages."""
-    citations = []
-    for part in text.split("; ") if text else ():
-        head, mark, numbers = _CITED.match(part).groups()  # type: ignore[union-attr]  # every text matches
-        lines = []
-        for piece in numbers.split(",") if mark else ():
-            bounds = [int(number) for number in _NUMBERS.findall(piece)]
-            lines.append((bounds[0], bounds[-1]))
-        citations.append(Citation(head or section, tuple(lines), mark or ""))
-    return tuple(citations)
-
-
-def common_section(sources: tuple[Citation, ...]) -> str:
-    """The section of all citations, which is that of what they enclose; empty where they cite several."""
-    sections = {citation.section for citation in sources}
-    return sections.pop() if len(sections) == 1 else ""
 
 
 Item = TypeVar("Item")

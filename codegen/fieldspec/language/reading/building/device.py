@@ -38,14 +38,10 @@ def built(tree: Mapping, version: str, reused: Reused | None = None) -> tuple[De
     spaces = _by_name(root, "spaces", registers.address_space, reused)
     types = {name: signal.value.type.name for name, signal in signals.items()}
     return (
-        Device(
-            id=head.text("id"),
+        head.built(
+            Device,
             version=version,
             place=_place(head, reused),
-            name=head.text("name"),
-            vendor=head.text("vendor"),
-            title=head.text("title"),
-            doc=head.text("doc"),
             manual=_manual(head),
             lines=_lines(root, reused),
             links=_by_name(root, "links", lambda entry: links.link(entry, reused), reused),
@@ -162,16 +158,10 @@ def _manual(head: Entry) -> Manual:
     entry = head.entry("manual")
     if entry is None:
         return Manual()
-    return Manual(
-        title=entry.text("title"),
-        edition=entry.text("edition"),
-        language=entry.text("language"),
-        file=entry.text("file"),
-        sha256=entry.text("sha256"),
+    return entry.built(
+        Manual,
         lines=entry.integer("lines") or 0,
         pages=entry.integer("pages") or 0,
-        url=entry.text("url"),
-        read=entry.text("read"),
     )
 
 

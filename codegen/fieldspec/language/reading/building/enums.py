@@ -15,31 +15,21 @@ def enum(entry: Entry) -> Enum:
     derived = entry.entry("derived")
     if not entry.get("members"):
         entry.refuse("missing_key", "name", "an enum needs members", "list them under `members`")
-    return Enum(
-        **entry.fact(),
+    return entry.built(
+        Enum,
         kind=entry.text("kind") or "enum",
-        title=entry.text("title"),
-        open=entry.flag("open"),
-        gaps=entry.text("gaps"),
-        printed_as=entry.text("printed_as"),
         derived=(derived.text("flags") or derived.text("enum")) if derived else "",
-        sparse=entry.flag("sparse"),
         members=tuple(_member(inner) for inner in entry.named("members", entry.path)),
     )
 
 
 def _member(entry: Entry) -> Member:
-    return Member(
-        **entry.fact(),
+    return entry.built(
+        Member,
         value=entry.integer("value") or 0,
-        number=entry.integer("number"),
-        unavailable=entry.flag("unavailable"),
-        problem=entry.text("problem"),
         causes=tuple(
             Cause(inner.text("cause"), inner.texts("remedies"), inner.sources) for inner in entry.entries("causes")
         ),
-        remedies=entry.texts("remedies"),
-        aliases=entry.texts("aliases"),
     )
 
 
@@ -54,10 +44,7 @@ def flags(entry: Entry) -> Flags:
         type=primitive,
         ranges=entry.whole_ranges("range"),
         bits=tuple(sorted(bits, key=lambda bit: bit.first)),
-        states=tuple(
-            State(**inner.fact(), set=inner.texts("set"), clear=inner.texts("clear"))
-            for inner in entry.entries("states")
-        ),
+        states=tuple(inner.built(State) for inner in entry.entries("states")),
         bit_0=bit_0,
     )
 
@@ -81,23 +68,17 @@ def _bit(entry: Entry, highest: int | None) -> Bit:
         if not reserved:
             entry.refuse("missing_key", "bit", "a bit with a meaning needs a name", "add a `name`")
         arguments["name"] = f"reserved_{first}"
-    return Bit(
+    return entry.built(
+        Bit,
         **arguments,
         first=first,
         last=last,
-        zero=entry.text("zero"),
-        one=entry.text("one"),
-        enum=entry.text("enum"),
-        edge=entry.text("edge"),
         active=entry.text("active") or "high",
         reserved=reserved,
         handling=entry.handling(),
-        when=entry.text("when"),
-        signed=entry.flag("signed"),
         scale=scale if scale is not None else Decimal(1),
         scale_text=scale_text(entry.value("scale")),
         offset=offset,
-        unit=entry.text("unit"),
         ranges=counts_of(entry, scale if scale is not None else Decimal(1), offset),
         default=default if isinstance(default, int) else None,
         pieces=tuple(pieces) if len(pieces) > 1 else (),

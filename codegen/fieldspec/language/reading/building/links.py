@@ -72,16 +72,14 @@ def link(entry: Entry, reused: Reused) -> Link:
         delimiters |= {key: preamble.start + delimiters[key] for key in ("start", "response_start")}
     stated = (entry.entry("start"), entry.entry("end"), entry.entry("preamble"), escaping, can)
     cited = [*entry.sources, *(source for part in stated if part for source in part.sources)]
-    return Link(
+    return entry.built(
+        Link,
         **{**entry.fact(), "sources": tuple(dict.fromkeys(cited))},
-        title=entry.text("title"),
         transmission=entry.text("transmission") or "binary",
         start=delimiters["start"],
         end=delimiters["end"],
         response_start=delimiters["response_start"],
         response_end=delimiters["response_end"],
-        byte_order=entry.text("byte_order"),
-        word_order=entry.text("word_order"),
         request=request,
         response=parts("response"),
         message_name=entry.text("message_name") or "message",
@@ -148,10 +146,9 @@ def _exception_response(entry: Entry) -> ExceptionResponse:
         key = "part" if "part" in entry.own else "normal"
         entry.refuse("wrong_form", key, "`part` and `normal` need each other", "add the other one, or remove both")
     part, field, code = entry.text("part"), entry.text("field"), entry.integer("code")
-    return ExceptionResponse(
+    return entry.built(
+        ExceptionResponse,
         flag=(entry.integer("flag") or 0) if code is None and not part and not field else 0,
-        record=entry.text("record"),
-        sources=entry.sources,
         code=None if part or field else code,
         part=part,
         normal=entry.whole_ranges("normal") if part else None,
@@ -179,8 +176,8 @@ def _part(entry: Entry, link_order: str) -> Part:
             entry.refuse("wrong_form", key, text, _HELP.get(key, f"remove `{key}`"))
     measures, covers, bits = entry.entry("measures"), entry.entry("covers"), entry.bit_range("bits")
     span = measures if role == "length" else covers if role == "checksum" else None
-    return Part(
-        **entry.fact(),
+    return entry.built(
+        Part,
         role=role,
         value=_value(entry, bits) if role in _VALUED else None,
         algorithm=surrounded_algorithm(entry, algorithm, order) if role == "checksum" else algorithm,
@@ -191,9 +188,7 @@ def _part(entry: Entry, link_order: str) -> Part:
         span=_span(span) if span is not None else PartSpan("", ""),
         unit_size=_UNIT_SIZES[span.text("in") or "bytes"] if span is not None else 1,
         plus=(span.integer("plus") or 0) if span is not None else 0,
-        reserved=entry.flag("reserved"),
         digits=digits,
-        same_as=entry.text("same_as"),
         bits=bits,
     )
 
@@ -220,14 +215,7 @@ def _unit_addresses(entry: Entry, reused: Reused) -> UnitAddresses | None:
     if addresses.node in by_node:
         return cast("UnitAddresses", by_node[addresses.node])
     before = len(entry.findings)
-    result = UnitAddresses(
-        place=addresses.place(),
-        ranges=addresses.whole_ranges("range"),
-        broadcast=addresses.integer("broadcast"),
-        rule=addresses.text("rule"),
-        notes=addresses.texts("notes"),
-        sources=addresses.sources,
-    )
+    result = addresses.built(UnitAddresses, ranges=addresses.whole_ranges("range"))
     if len(entry.findings) == before:  # a finding is for every version
         by_node[addresses.node] = result
     return result
@@ -268,14 +256,10 @@ def _serial(entry: Entry) -> Serial | None:
         if default and values and default not in values:
             text = f"`default_{key}` is `{default}`, which is not in `{key}`"
             serial.refuse("wrong_form", f"default_{key}", text, f"correct it, or add it to `{key}`")
-    return Serial(
+    return serial.built(
+        Serial,
         baud=speeds,
         default_baud=usual,
         data_bits=serial.integers("data_bits"),
-        parity=serial.texts("parity"),
         stop_bits=serial.integers("stop_bits"),
-        start_bits=serial.integer("start_bits"),
-        sources=serial.sources,
-        default_data_bits=serial.integer("default_data_bits"),
-        default_parity=serial.text("default_parity"),
     )

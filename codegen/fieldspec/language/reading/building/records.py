@@ -27,12 +27,8 @@ _OF_VALUES = VALUE_KEYS - {"type"} | {"atomic", "packed_bits", "reserved"}
 
 def record(entry: Entry, reused: Reused) -> Record:
     """The record that an entry states."""
-    return Record(
-        **entry.fact(),
-        size=entry.integer("size"),
-        words=entry.integer("words"),
-        fields=rows(with_separators(entry, "fields"), entry.path, None, reused, _field, key="fields"),
-        same_as=entry.text("same_as"),
+    return entry.built(
+        Record, fields=rows(with_separators(entry, "fields"), entry.path, None, reused, _field, key="fields")
     )
 
 
@@ -57,29 +53,21 @@ def _field(entry: Entry) -> Field:
     measure = _measure(measures) if measures else None
     is_in_bits = measure is not None and measure.bits is not None
     present = entry.entry("present_if")
-    return Field(
-        **entry.fact(),
+    return entry.built(
+        Field,
         value=None if name or choice else value(entry),
         record=name,
         choice=_choice(choice, entry) if choice and not name else None,
-        signal=entry.text("signal"),
         count=entry.integer("count") if present is None else None,
         repeat=entry.whole_ranges("repeat") if present is None else _optional(entry),
         presence=_presence(present, "by") if present is not None else None,
         continuation=_continuation(entry),
         measures=None if is_in_bits else measure,
         bit_measure=measure if is_in_bits else None,
-        reserved=entry.flag("reserved"),
         is_implied=not {"separator", "remote"}.isdisjoint(entry.own),
-        at=entry.integer("at"),
-        words=entry.integer("words"),
         span=_span(entry.text("span")),
         word_span=_span(entry.text("word_span")),
-        access=entry.text("access"),
-        restart=entry.maybe("restart"),
-        atomic=entry.flag("atomic"),
         handling=entry.handling(),
-        same_as=entry.text("same_as"),
     )
 
 
@@ -157,10 +145,7 @@ def _choice(entry: Entry, field: Entry) -> Choice:
     shared = field.node
     for key in field.node.values.keys() - VALUE_KEYS:
         shared = shared.without(key)
-    cases = tuple(
-        Case(**inner.fact(), when=inner.texts("when"), value=value(inner))
-        for inner in entry.entries("cases", defaults=shared)
-    )
+    cases = tuple(inner.built(Case, value=value(inner)) for inner in entry.entries("cases", defaults=shared))
     return Choice(entry.text("by"), cases, entry.bit_range("bits"))
 
 
@@ -177,28 +162,20 @@ def message(entry: Entry, reused: Reused) -> Message:
     accesses, pieces = _accesses(entry), entry.entry("segments")
     entry = with_remote_request(entry)
     _refuse_unstated(entry)
-    return Message(
-        **entry.fact(),
-        title=entry.text("title"),
-        group=entry.text("group"),
-        code=entry.integer("code"),
-        number=entry.integer("number"),
-        links=entry.texts("links"),
+    return entry.built(
+        Message,
         answered_on=_answered_on(entry),
-        supplements=entry.texts("supplements"),
         request=_data(entry, "request", reused),
         response=_data(entry, "response", reused),
         request_length=lengths.integer("request") if lengths else None,
         response_length=lengths.integer("response") if lengths else None,
         request_words=words.integer("request") if words else None,
         response_words=words.integer("response") if words else None,
-        broadcast=entry.maybe("broadcast"),
         handling=entry.handling(),
         accesses=accesses,
         segments=_segments(pieces) if pieces else None,
         response_code=_response_code(entry),
         is_requested=_is_requested(entry),
-        remote=entry.integer("remote"),
     )
 
 
@@ -277,21 +254,11 @@ def _segments(entry: Entry) -> Segments:
     if "unsized" in entry.own and "when" not in entry.own:
         text = "`unsized` has no effect without `when`: the request that writes always has its `size`"
         entry.refuse("wrong_form", "unsized", text, "remove `unsized`, or state `when` for a message that reads")
-    return Segments(
-        message=entry.text("message"),
-        when=entry.texts("when"),
-        size=entry.text("size"),
-        unsized=entry.texts("unsized"),
-        data=entry.text("data"),
-        counter=entry.text("counter"),
-        unused=entry.text("unused"),
-        last=entry.text("last"),
-        abort=_segments_abort(abort) if (abort := entry.entry("abort")) else None,
-    )
+    return entry.built(Segments, abort=_segments_abort(abort) if (abort := entry.entry("abort")) else None)
 
 
 def _segments_abort(entry: Entry) -> SegmentsAbort:
-    return SegmentsAbort(entry.text("message"), entry.text("reason"), entry.text("counter"), entry.text("size"))
+    return entry.built(SegmentsAbort)
 
 
 def _accesses(entry: Entry) -> tuple[RegisterAccess, ...]:
@@ -306,15 +273,7 @@ def _accesses(entry: Entry) -> tuple[RegisterAccess, ...]:
 def _access(entry: Entry) -> RegisterAccess:
     if "clear" in entry.own and "set" not in entry.own:
         entry.refuse("wrong_form", "clear", "`clear` has no effect without `set`", "add `set`, or remove `clear`")
-    return RegisterAccess(
-        operation=entry.text("operation"),
-        start=entry.text("start"),
-        count=entry.text("count"),
-        values=entry.text("values"),
-        space=entry.text("space"),
-        set=entry.integer("set"),
-        clear=entry.integer("clear") or 0,
-    )
+    return entry.built(RegisterAccess, clear=entry.integer("clear") or 0)
 
 
 def _step(entry: Entry) -> RegisterAccess:
@@ -322,15 +281,7 @@ def _step(entry: Entry) -> RegisterAccess:
         if key in entry.own:
             text = f"`{key}` has no effect in a message with several accesses"
             entry.refuse("wrong_form", key, text, "remove it: such a message accesses words or bytes")
-    return RegisterAccess(
-        operation=entry.text("operation"),
-        start=entry.text("start"),
-        count=entry.text("count"),
-        values=entry.text("values"),
-        space=entry.text("space"),
-        and_mask=entry.text("and_mask"),
-        or_mask=entry.text("or_mask"),
-    )
+    return entry.built(RegisterAccess, set=None)
 
 
 def _data(entry: Entry, direction: str, reused: Reused) -> Record:

@@ -26,9 +26,8 @@ from fieldspec.language.reading.nodes import Mapping
 
 def address_space(entry: Entry) -> AddressSpace:
     """The address space that an entry states."""
-    return AddressSpace(
-        **entry.fact(),
-        title=entry.text("title"),
+    return entry.built(
+        AddressSpace,
         unit=entry.text("unit") or WORD,
         bounds=entry.whole_ranges("bounds") or WHOLE,
         first_number=entry.integer("first_number") or 0,
@@ -38,16 +37,14 @@ def address_space(entry: Entry) -> AddressSpace:
 def group(entry: Entry, sizes: dict[str, int], reused: Reused) -> RegisterGroup:
     """A group of registers. `sizes` has the bytes at one address by the name of each space."""
     defaults = _defaults(entry)
-    arguments = entry.fact() | {"name": entry.text("group")}
     space = entry.text("space")
     size = sizes.get(space, sizes[""])
     registers = rows(entry, "registers", defaults, reused, lambda inner: _register(inner, space, size), space, size)
     _refuse_idle_defaults(entry, [register.value for register in registers])
-    return RegisterGroup(
-        **arguments,
-        title=entry.text("title"),
+    return entry.built(
+        RegisterGroup,
+        name=entry.text("group"),
         space=space,
-        section=entry.text("section"),
         ascending=entry.text("order") != "as_listed",
         gaps=tuple(_gap(inner) for inner in entry.entries("gaps")),
         registers=registers,
@@ -73,26 +70,15 @@ def _register(entry: Entry, space: str, unit_size: int) -> Register:
     address = entry.integer("at")
     if address is None:
         entry.refuse("missing_key", "at", "a register needs an address", "add it under `at`")
-    return Register(
-        **entry.fact(),
+    return entry.built(
+        Register,
         space=space,
         address=address or 0,
-        decimal=entry.integer("decimal"),
-        number=entry.integer("number"),
-        copy_of=entry.text("copy_of"),
-        words=entry.integer("words"),
         value=content,
-        access=entry.text("access"),
-        restart=entry.maybe("restart"),
-        atomic=entry.flag("atomic"),
-        trigger=entry.flag("trigger"),
-        reserved=entry.flag("reserved"),
         handling=entry.handling(),
-        same_as=entry.text("same_as"),
         count=count,
         stride=entry.integer("stride") or width,
         index_from=entry.integer("index_from") or 0,
-        element_name=entry.text("element_name"),
         element_sources=elements,
         unit_size=unit_size,
     )
@@ -116,44 +102,32 @@ def _elements(entry: Entry, count: int) -> tuple[Citation, ...]:
 
 def table(entry: Entry) -> Table:
     """The table of records that an entry states."""
-    return Table(
-        **entry.fact(),
-        title=entry.text("title"),
-        space=entry.text("space"),
+    return entry.built(
+        Table,
         base=entry.integer("base") or 0,
-        decimal=entry.integer("decimal"),
         stride=entry.integer("stride") or 1,
         count=entry.integer("count") or 1,
         index_from=entry.integer("index_from") or 0,
-        record=entry.text("record"),
-        words=entry.integer("words"),
-        access=entry.text("access"),
         handling=entry.handling(),
         elements=tuple(_printed_element(inner) for inner in entry.entries("elements")),
-        count_by=entry.text("count_by"),
-        base_by=entry.text("base_by"),
     )
 
 
 def _printed_element(entry: Entry) -> PrintedElement:
     first, _, last = entry.text("at").partition("..")
-    return PrintedElement(
-        place=entry.place(),
+    return entry.built(
+        PrintedElement,
         index=entry.integer("index") or 0,
         first=int(first, 16) if first else None,
         last=int(last, 16) if last else None,
-        words=entry.integer("words"),
-        sources=entry.sources,
     )
 
 
 def _subindex(entry: Entry, type_name: str) -> Subindex:
-    return Subindex(
-        **entry.fact(),
+    return entry.built(
+        Subindex,
         indices=entry.whole_ranges("index") or Ranges(()),
         value=value(entry, type_name),
-        reserved=entry.flag("reserved"),
-        access=entry.text("access"),
     )
 
 
@@ -163,34 +137,24 @@ def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
     type_name = entry.text("type")
     parameters = rows(entry, entry.path, defaults, reused, lambda inner: _parameter(inner, type_name), type_name)
     _refuse_idle_defaults(entry, [parameter.value for parameter in parameters])
-    return ParameterSet(
-        **entry.fact(),
-        title=entry.text("title"),
+    return entry.built(
+        ParameterSet,
         space=entry.text("space") or entry.text("name"),
         base=entry.integer("base") or 0,
         numbers=entry.whole_ranges("numbers"),
-        printed_as=entry.text("printed_as"),
         parameters=parameters,
     )
 
 
 def _parameter(entry: Entry, type_name: str) -> Parameter:
     own_type = entry.text("type") or type_name
-    return Parameter(
-        **entry.fact(),
+    return entry.built(
+        Parameter,
         number=entry.integer("number") or 0,
-        wire_number=entry.integer("wire_number"),
         count=entry.integer("count") or 1,
         value=value(entry, type_name),
-        elements=entry.integer("elements"),
         subindices=tuple(_subindex(inner, own_type) for inner in entry.entries("subindices")),
-        applies_to=entry.texts("applies_to"),
-        messages=entry.texts("messages"),
-        access=entry.text("access"),
-        restart=entry.maybe("restart"),
-        trigger=entry.flag("trigger"),
         handling=entry.handling(),
-        reserved=entry.flag("reserved"),
     )
 
 

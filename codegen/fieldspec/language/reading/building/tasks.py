@@ -15,15 +15,10 @@ def task(entry: Entry) -> Task:
         text = "it has no answer" if not answers else f"it has both `{answers[0]}` and `{answers[1]}`"
         help = "use one of `steps`, `not_applicable` and `open`"
         entry.refuse("wrong_form", answers[-1] if answers else "task", f"of the task, {text}", help)
-    return Task(
-        **entry.fact(),
+    return entry.built(
+        Task,
         kind=entry.text("task"),
-        halt=entry.flag("halt"),
-        direction=entry.text("direction"),
-        messages=entry.texts("messages"),
         steps=tuple(_step(inner) for inner in entry.entries("steps", "")),
-        not_applicable=entry.text("not_applicable"),
-        open=entry.text("open"),
     )
 
 
@@ -36,21 +31,14 @@ def _step(entry: Entry) -> Step:
     waits = action == "wait"
     arguments_node = entry.get("arguments")
     arguments = arguments_node.values if isinstance(arguments_node, Mapping) else {}
-    return Step(
-        place=entry.place(),
+    return entry.built(
+        Step,
         action=action,
         target=entry.text(action),
         value=None if waits else entry.value("value"),
         wanted=_awaited_values(entry.get("value")) if waits else (),
-        argument=entry.text("argument"),
-        argument_bit=entry.integer("argument_bit"),
-        within=entry.decimal("within"),
-        relative=entry.flag("relative"),
         values=free(entry.get("values")),
         arguments={key: node.text for key, node in arguments.items() if isinstance(node, Scalar)},
-        timeout=entry.text("timeout"),
-        doc=entry.text("doc"),
-        sources=entry.sources,
     )
 
 

@@ -25,9 +25,8 @@ def lookup(entry: Entry) -> Lookup:
         LookupColumn(inner.text("name"), inner.text("title"), inner.text("label"), inner.text("enum"))
         for inner in entry.entries("columns")
     )
-    return Lookup(
-        **entry.fact(),
-        title=entry.text("title"),
+    return entry.built(
+        Lookup,
         kind=entry.text("kind") or "table",
         columns=columns,
         rows=tuple(_lookup_row(inner, len(columns)) for inner in entry.entries("rows")),
@@ -47,69 +46,40 @@ def _lookup_row(entry: Entry, width: int) -> LookupRow:
 
 def limit(entry: Entry) -> Limit:
     """The limit, a single number with its unit, that an entry states."""
-    return Limit(
-        **entry.fact(),
+    return entry.built(
+        Limit,
         kind=entry.text("kind") or "limit",
-        value=entry.decimal("value"),
         low=entry.decimal("min"),
         high=entry.decimal("max"),
-        text=entry.text("text"),
-        unit=entry.text("unit"),
-        sum_of=entry.texts("sum_of"),
-        within=entry.text("within"),
-        transmits=entry.text("transmits"),
     )
 
 
 def declared_unit(entry: Entry) -> DeclaredUnit:
     """A unit that the language does not have."""
-    return DeclaredUnit(
-        **entry.fact(),
-        symbol=entry.text("symbol"),
-        title=entry.text("title"),
-        quantity=entry.text("quantity"),
-        ucum=entry.text("ucum"),
-        factor=entry.text("factor"),
-    )
+    return entry.built(DeclaredUnit)
 
 
 def note(entry: Entry) -> Note:
     """The note, a caveat of the manual, that an entry states."""
-    return Note(
-        name=entry.text("name"),
-        place=entry.place(),
-        title=entry.text("title"),
-        text=entry.text("text"),
-        about=entry.texts("about"),
+    return entry.built(
+        Note,
         statements=tuple(
             Statement(
                 inner.place(), inner.text("subject"), inner.text("says"), inner.text("text"), inner.citations("source")
             )
             for inner in entry.entries("statements", "")
         ),
-        sources=entry.sources,
     )
 
 
 def example(entry: Entry) -> Example:
     """The example, a frame with its meaning, that an entry states."""
-    return Example(
-        id=entry.text("id"),
-        place=entry.place(),
-        title=entry.text("title"),
-        link=entry.text("link"),
-        direction=entry.text("direction"),
-        message=entry.text("message"),
-        exception_response=entry.flag("exception_response"),
-        refused=entry.text("refused"),
-        reply_to=entry.text("reply_to"),
+    return entry.built(
+        Example,
         frame=_frame(entry),
-        elided=entry.texts("elided"),
         characters=entry.text("characters").replace("\\r", "\r").replace("\\n", "\n"),
         values=free(entry.get("values")),
         origin=entry.text("origin") or "printed",
-        sources=entry.sources,
-        notes=entry.texts("notes"),
     )
 
 
@@ -123,31 +93,12 @@ def _frame(entry: Entry) -> bytes:
 
 def erratum(entry: Entry) -> Erratum:
     """The erratum, a departure from what the manual prints, that an entry states."""
-    return Erratum(
-        id=entry.text("id"),
-        place=entry.place(),
-        fact=entry.text("fact"),
-        printed=free(entry.get("printed")),
-        literal=entry.text("literal"),
-        illegible=entry.text("illegible"),
-        reason=entry.text("reason"),
-        confidence=entry.text("confidence"),
-        effect=entry.text("effect"),
-        proof=entry.text("proof"),
-        sources=entry.sources,
-    )
+    return entry.built(Erratum, printed=free(entry.get("printed")))
 
 
 def acceptance(entry: Entry) -> Acceptance:
     """The accepted change that an entry states."""
-    return Acceptance(
-        place=entry.place(),
-        rule=entry.text("rule"),
-        path=entry.text("path"),
-        reason=entry.text("reason"),
-        date=entry.text("date"),
-        since=entry.texts("since"),
-    )
+    return entry.built(Acceptance)
 
 
 def stated_change(entry: Entry) -> StatedChange:

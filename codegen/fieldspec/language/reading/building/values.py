@@ -59,25 +59,19 @@ def value(entry: Entry, type_name: str = "") -> Value:
             entry.refuse("wrong_form", key, text, f"state `{key.removeprefix('unit_')}`, in counts")
     size = _size(entry, primitive, digits)
     varies = entry.flag("varies")
-    return Value(
+    return entry.built(
+        Value,
         type=primitive,
         size=size + (varies and is_signed(primitive.encoding) and digits == "decimal"),
-        characters=entry.integer("characters"),
-        byte_order=entry.text("byte_order"),
         scale=scale,
         scale_text=scale_text(entry.value("scale")),
         offset=offset,
         unit=f"{power_of_ten(scale_by)} {unit}".rstrip() if scale_by else unit,
         ranges=_real_ranges(entry) if is_real(primitive.encoding) else counts_of(entry, scale, offset),
         default=default_of(entry, scale, offset),
-        const=entry.integer("const"),
-        enum=entry.text("enum"),
-        flags=entry.text("flags"),
         parameter=_parameter_part(part) if part else None,
         sentinels=tuple(_sentinel(inner) for inner in entry.entries("sentinels")),
         write_ranges=entry.whole_ranges("write_range"),
-        word_order=entry.text("word_order"),
-        write_word_order=entry.text("write_word_order"),
         digits=digits,
         places=entry.integer("places") or 0,
         scale_by=scale_by,
@@ -224,7 +218,7 @@ def _nearest(key: str, count: Fraction, scale: Decimal | Fraction, offset: Decim
 
 def signal(entry: Entry) -> Signal:
     """The signal, a value that is placed by its name, that an entry states."""
-    return Signal(**entry.fact(), value=value(entry), direction=entry.text("direction"))
+    return entry.built(Signal, value=value(entry))
 
 
 def conversion(entry: Entry, types: dict[str, str]) -> Conversion:
@@ -233,13 +227,9 @@ def conversion(entry: Entry, types: dict[str, str]) -> Conversion:
     name = entry.text("type") or next((types[signal] for signal in signals if signal in types), "")
     if name not in PRIMITIVES:
         entry.refuse("type_present", "type", "the count has no type", "add a `type`")
-    return Conversion(
-        **entry.fact(),
-        title=entry.text("title"),
+    return entry.built(
+        Conversion,
         signals=signals,
         type=PRIMITIVES.get(name, PRIMITIVES["i32"]),
         full_scale=entry.integer("full_scale") or 1,
-        complement=entry.flag("complement"),
-        references=entry.texts("references"),
-        printed=entry.text("printed"),
     )

@@ -38,14 +38,50 @@ static inline device_codec_status device_take_elements(const device_inner_list *
     return to < list->least ? DEVICE_ERR_INCOMPLETE : DEVICE_OK;
 }
 
-/** The same of elements that are all of the `measured` bytes: a list that ends otherwise has a wrong number. */
-static inline device_codec_status device_take_measured(const device_inner_list *list, const uint8_t *in, size_t measured,
-        uint8_t *image, size_t *size, size_t *taken)
+/**
+ * The bytes of a list in the image, and those that were sent of it, which may be more than the `left` ones; the last list
+ * ends with these. Writes the image of elements that differ in size or tell whether others follow.
+ */
+static inline device_codec_status device_take_list(const device_inner_list *list, const uint8_t *fields, const uint8_t *in,
+        size_t left, bool is_last, uint8_t *image, size_t *size, size_t *taken)
 {
     device_codec_status status;
     *size = SIZE_MAX;
-    status = device_take_elements(list, in, measured, image, size, taken);
-    return status == DEVICE_ERR_INCOMPLETE || status == DEVICE_ERR_WRONG_LENGTH ? DEVICE_ERR_WRONG_MEASURE : status;
+    *taken = left;
+    if (list->follows != NULL) {
+        *size = device_first_element(list, fields);
+    } else if (list->decided_size != NULL) {
+        status = device_take_decided(list, fields, size);
+        *taken = *size;
+        return status;
+    } else if (list->counts_sent) {
+        *taken = device_measured_bytes(list, fields);
+        if (*taken == SIZE_MAX || (is_last && *taken != left)) {
+            return DEVICE_ERR_WRONG_MEASURE;
+        }
+        if (*taken > left) {
+            return DEVICE_OK;
+        }
+        status = device_take_elements(list, in, *taken, image, size, taken);
+        return status == DEVICE_ERR_INCOMPLETE || status == DEVICE_ERR_WRONG_LENGTH ? DEVICE_ERR_WRONG_MEASURE : status;
+    } else if (!is_last) {
+        *size = device_list_size(list, fields);
+        if (*size == SIZE_MAX) {
+            return DEVICE_ERR_WRONG_MEASURE;
+        }
+    }
+    if (list->element_size != NULL || list->follows != NULL) {
+        return device_take_elements(list, in, left, image, size, taken);
+    }
+    if (*size == SIZE_MAX && list->bits != 0u) {
+        *size = 8u * left / list->bits * list->element;
+        *size = *size < list->most ? *size : list->most;
+        *taken = device_list_bytes(list, *size);
+        return *size < list->least ? DEVICE_ERR_INCOMPLETE : DEVICE_OK;
+    }
+    *size = *size == SIZE_MAX ? left : *size;
+    *taken = device_list_bytes(list, *size);
+    return DEVICE_OK;
 }
 
 /**
@@ -58,6 +94,7 @@ static inline size_t device_sent_size(const device_inner_list *lists, size_t cou
     size_t index, at = 0, from = 0;
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
+        device_codec_status status;
         size_t size, taken;
         if (left < from + (list->first - at)) {
             break;
@@ -65,29 +102,9 @@ static inline size_t device_sent_size(const device_inner_list *lists, size_t cou
         device_copy_bytes(fields + at, in + from, list->first - at);
         from += list->first - at;
         at = list->first;
-        if (list->follows != NULL) {
-            size = device_first_element(list, fields);
-        } else if (list->decided_size != NULL) {
-            device_codec_status status = device_take_decided(list, fields, &size);
-            if (status != DEVICE_OK) {
-                return status == DEVICE_ERR_UNKNOWN_VALUE ? SIZE_MAX : 0u;
-            }
-        } else {
-            size = list->counts_sent ? device_measured_bytes(list, fields) : device_list_size(list, fields);
-        }
-        taken = size;
-        if (size == SIZE_MAX) {
-            return 0u;
-        }
-        if ((list->element_size != NULL || list->follows != NULL) && (!list->counts_sent || size <= left - from)) {
-            device_codec_status status = list->counts_sent
-                    ? device_take_measured(list, in + from, size, NULL, &size, &taken)
-                    : device_take_elements(list, in + from, left - from, NULL, &size, &taken);
-            if (status != DEVICE_OK) {
-                return status == DEVICE_ERR_INCOMPLETE ? left + 1u : status == DEVICE_ERR_UNKNOWN_VALUE ? SIZE_MAX : 0u;
-            }
-        } else {
-            taken = device_list_bytes(list, size);
+        status = device_take_list(list, fields, in + from, left - from, false, NULL, &size, &taken);
+        if (status != DEVICE_OK) {
+            return status == DEVICE_ERR_INCOMPLETE ? left + 1u : status == DEVICE_ERR_UNKNOWN_VALUE ? SIZE_MAX : 0u;
         }
         from += taken;
         if (from > left) {
@@ -106,7 +123,9 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
     *image_length = fixed;
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
-        size_t left, size = SIZE_MAX, taken;
+        bool is_last = index + 1u == count;
+        device_codec_status status;
+        size_t left, size, taken, rest;
         if (length - from < fixed - at) {
             return DEVICE_ERR_INCOMPLETE;
         }
@@ -114,71 +133,30 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
         from += list->first - at;
         at = list->first;
         left = length - from - (fixed - at);
-        if (list->follows != NULL) {
-            size = device_first_element(list, image);
-        } else if (list->decided_size != NULL) {
-            device_codec_status status = device_take_decided(list, image, &size);
-            if (status != DEVICE_OK) {
-                return status;
-            }
-            if (index + 1u == count && size < left) {
-                return DEVICE_ERR_WRONG_LENGTH;
-            }
-            for (taken = 0; taken < list->most; taken++) {
-                image[list->room + taken] = 0u;
-            }
-        } else if (list->counts_sent) {
-            size_t measured = device_measured_bytes(list, image);
-            if (measured == SIZE_MAX || (index + 1u == count && measured != left)) {
-                return DEVICE_ERR_WRONG_MEASURE;
-            }
-            if (measured > left) {
-                return DEVICE_ERR_INCOMPLETE;
-            }
-            left = measured;
-        } else if (index + 1u < count) {
-            size = device_list_size(list, image);
-            if (size == SIZE_MAX) {
-                return DEVICE_ERR_WRONG_MEASURE;
-            }
+        status = device_take_list(list, image, in + from, left, is_last, image + list->room, &size, &taken);
+        if (status != DEVICE_OK) {
+            return status;
         }
-        if (list->element_size != NULL || list->follows != NULL) {
-            device_codec_status status = list->counts_sent
-                    ? device_take_measured(list, in + from, left, image + list->room, &size, &taken)
-                    : device_take_elements(list, in + from, left, image + list->room, &size, &taken);
-            if (status != DEVICE_OK) {
-                return status;
-            }
-            if (index + 1u == count && taken < left) {
-                return DEVICE_ERR_WRONG_LENGTH;
-            }
-        } else if (list->bits != 0u) {
-            size_t numbers = 8u * left / list->bits;
-            if (size == SIZE_MAX) {
-                size = numbers * list->element < list->most ? numbers * list->element : list->most;
-                if (size < list->least || device_list_bytes(list, size) < left) {
-                    return size < list->least ? DEVICE_ERR_INCOMPLETE : DEVICE_ERR_WRONG_LENGTH;
-                }
-            }
-            taken = device_list_bytes(list, size);
-            if (taken > left) {
-                return DEVICE_ERR_INCOMPLETE;
-            }
+        if (taken > left) {
+            return DEVICE_ERR_INCOMPLETE;
+        }
+        if (is_last && taken < left) {
+            return DEVICE_ERR_WRONG_LENGTH;
+        }
+        if (list->bits != 0u) {
             device_unpack_list(list, in + from, size, image + list->room);
-        } else {
-            if (size != SIZE_MAX && size > left) {
-                return DEVICE_ERR_INCOMPLETE;
-            }
-            size = size == SIZE_MAX ? left : size;
+        } else if (list->element_size == NULL && list->follows == NULL) {
             if (size > list->most) {
                 return DEVICE_ERR_WRONG_LENGTH;
+            }
+            for (rest = size; list->decided_size != NULL && rest < list->most; rest++) {
+                image[list->room + rest] = 0u;
             }
             device_copy_bytes(image + list->room, in + from, size);
             if (list->decided_size != NULL && device_decides_text(list, image) && device_text_bytes(in + from, size) != size) {
                 result = DEVICE_ERR_UNKNOWN_VALUE;
             }
-            taken = size;
-            if (index + 1u == count && list->decided_size == NULL && (size < list->least || size % list->element != 0u)) {
+            if (is_last && list->decided_size == NULL && (size < list->least || size % list->element != 0u)) {
                 result = DEVICE_OK; /* the image refuses its wrong size */
             }
         }

@@ -3,15 +3,27 @@
 from __future__ import annotations
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.model.encoding import Digits, Encoding, Octets, Precision, Real, Sign, Text, Truth, Whole
+from fieldspec.language.model.encoding import (
+    Digits,
+    Encoding,
+    Octets,
+    OfPrecision,
+    OfSign,
+    Real,
+    Text,
+    Truth,
+    Whole,
+)
 from fieldspec.targets.controllers.statements.expressions import SIGNED, UNSIGNED, Elementary
+
+_INTEGERS = OfSign(none=UNSIGNED, complement=SIGNED, magnitude=SIGNED)
 
 
 def whole_type(encoding: Encoding) -> Elementary:
     """The integer type that holds all numbers of an encoding. Raises AssertionError for other values."""
     match encoding:
         case Whole():
-            return _of_sign(encoding.sign, encoding.bits // 8)
+            return _INTEGERS(encoding.sign)[encoding.bits // 8]
         case Digits():
             return whole_type(encoding.number)
         case Truth():
@@ -20,16 +32,6 @@ def whole_type(encoding: Encoding) -> Elementary:
             raise AssertionError(f"{encoding} is not a whole number")
         case _:
             assert_never(encoding)
-
-
-def _of_sign(sign: Sign, size: int) -> Elementary:
-    match sign:
-        case Sign.NONE:
-            return UNSIGNED[size]
-        case Sign.COMPLEMENT | Sign.MAGNITUDE:
-            return SIGNED[size]
-        case _:
-            assert_never(sign)
 
 
 def is_single(encoding: Encoding) -> bool:
@@ -43,11 +45,4 @@ def is_single(encoding: Encoding) -> bool:
             assert_never(encoding)
 
 
-def _is_within_single(precision: Precision) -> bool:
-    match precision:
-        case Precision.HALF | Precision.SINGLE:
-            return True
-        case Precision.DOUBLE:
-            return False
-        case _:
-            assert_never(precision)
+_is_within_single = OfPrecision(half=True, single=True, double=False)
