@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import io
 import json
 import subprocess
 from functools import reduce
@@ -78,35 +79,58 @@ def test_captures_have_the_registers_of_characters() -> None:
     assert values == [("distance", 100000), ("mode", 1), ("target_speed", 1500)]
 
 
-def test_a_client_reads_and_writes_registers_by_name(capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("link", ["area", "bus"])
+def test_a_client_reads_and_writes_registers_by_the_messages_of_its_link(
+    link: str, capsys: pytest.CaptureFixture[str]
+) -> None:
     client_module = importlib.import_module(f"{LADDER.__package__}.client")
-    with simulation("ladder", ports={"area": "tcp://127.0.0.1:0"}, unit_address=3, folder=FOLDER) as device:
+    with simulation("ladder", ports={link: "tcp://127.0.0.1:0"}, unit_address=3, folder=FOLDER) as device:
         host, port = device.place.removeprefix("tcp://").split(":")
         with runtime("transports").tcp(host, int(port)) as transport:
-            client = client_module.Client(transport, link="area", unit_address=3)
+            client = client_module.Client(transport, link=link, unit_address=3)
             client.write(LADDER.TARGET_SPEED, 2500)
             client.write(LADDER.TENSION, 1.5)
             assert (client.read(LADDER.TARGET_SPEED), client.read(LADDER.TENSION)) == (2500, 1.5)
-        more = ["--link", "area", "--port", device.place, "--unit", "3", "--specs", FOLDER]
+            assert client.read_group(client_module.COUNTERS)[LADDER.TENSION] == 1.5
+        more = ["--link", link, "--port", device.place, "--unit", "3", "--specs", FOLDER]
         assert main(["live", "ladder", "read", "target_speed", "tension", *more]) == 0
     output = capsys.readouterr().out
     assert "2500 rpm" in output
     assert "1.5 N" in output
 
 
-def test_javascript_makes_the_requests_for_registers_and_reads_their_values() -> None:
+def test_a_link_without_messages_for_registers_refuses_them() -> None:
+    client_module = importlib.import_module(f"{LADDER.__package__}.client")
+    client = client_module.Client(io.BytesIO(), link="host", unit_address=3)
+    with pytest.raises(runtime("errors").InvalidValueError, match="no message of host reads mode"):
+        client.read(LADDER.MODE)
+
+
+AREA = [{"beginningWord": 1, "wordCount": 2}, {"beginningWord": 4, "areaWords": [0x3FC0, 0]}]
+BUS = [{"address": 1, "quantity": 2}, {"address": 4, "relay": 0x3FC0}, {"address": 5, "relay": 0}]
+
+
+@pytest.mark.parametrize(
+    ("functions", "response", "requests"),
+    [
+        ("ladder", "areaWords", AREA),
+        ('ladder.registersOn("area")', "areaWords", AREA),
+        ('ladder.registersOn("bus")', "relays", BUS),
+    ],
+)
+def test_javascript_makes_requests_for_registers_by_the_messages_of_a_link(
+    functions: str, response: str, requests: list[dict[str, Any]]
+) -> None:
     program = f"""
     import * as ladder from "{module_path(LAYOUT)}";
-    const requests = [...ladder.readRequests(ladder.DISTANCE), ...ladder.writeRequests(ladder.TENSION, 1.5)];
-    const value = ladder.readValue(ladder.DISTANCE, {{ areaWords: [1, 0x86a0] }});
+    const {{ readRequests, readValue, writeRequests }} = {functions};
+    const requests = [...readRequests(ladder.DISTANCE), ...writeRequests(ladder.TENSION, 1.5)];
+    const value = readValue(ladder.DISTANCE, {{ {response}: [1, 0x86a0] }});
     console.log(JSON.stringify([requests.map(({{ data }}) => data), value]));
     """
     command = [require_tool("node"), "--input-type=module", "--eval", program]
     output: Any = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
-    assert output == [
-        [{"beginningWord": 1, "wordCount": 2}, {"beginningWord": 4, "areaWords": [0x3FC0, 0]}],
-        100000,
-    ]
+    assert output == [requests, 100000]
 
 
 def test_redaction_keeps_known_registers_and_drops_unknown_ones() -> None:

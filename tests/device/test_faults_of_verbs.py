@@ -13,6 +13,7 @@ import pytest
 
 from fieldspec.cli import main
 from fieldspec.testing import SimulatedDevice, simulation
+from fieldspec.tools.live.parameter_access import ParameterAccess
 from fieldspec.tools.live.register_access import RegisterAccess
 from fieldspec.tools.simulator.faults import KINDS
 from layouts import TEST_SPECS
@@ -41,6 +42,7 @@ class Bench:
         self.device, self.folder = device, folder
         self.engine = device.simulation.engine
         self.access = RegisterAccess(self.engine.layout)
+        self.parameters = ParameterAccess(self.engine.layout, self.engine.layout.links["rtu"])
         self.first = {"words": dict(self.engine.memory.words), "elements": dict(self.engine.memory.elements)}
 
     def begin(self, values: dict[str, int]) -> None:
@@ -66,6 +68,11 @@ class Bench:
 
     def means(self, path: str, text: str) -> bool:
         """Whether a cell of a file means what the device has."""
+        for signal in self.parameters.named(path):
+            numbered = signal.numbered
+            assert numbered is not None
+            key = numbered.parameter_set.name, numbered.parameter.number, signal.index or 0
+            return bool(self.parameters.assignment(signal, text).raw == self.engine.memory.elements[key])
         return list(self.access.assignment(self.access.named(path)[0], text).words) == self.words(path)
 
 
@@ -85,7 +92,8 @@ def dump_is_right(bench: Bench, text: str) -> bool:
     rows = list(csv.DictReader(io.StringIO(path.read_text("utf-8")))) if path.exists() else []
     first = bench.engine.layout.device.space_name("")
     own = {(row.get("space") or first, int(row["address"], 16)): int(row["value"]) for row in rows}
-    return all(bench.engine.memory.words[place] == word for place, word in own.items())
+    elements = {(name, number): raw for (name, number, _), raw in bench.engine.memory.elements.items()}
+    return all({**bench.engine.memory.words, **elements}[place] == word for place, word in own.items())
 
 
 def scan_is_right(bench: Bench, text: str) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,8 @@ from fieldspec.tools.live.reading import message_for
 from fieldspec.tools.simulator.seeding import seed
 from layouts import TEST_SPECS, newest
 from simulators import SPECS
+
+TEST_FOLDER = str(TEST_SPECS)
 
 
 def live(name: str, place: str, *arguments: str, folder: str = SPECS) -> int:
@@ -140,6 +143,72 @@ def test_parameters_are_backed_up_compared_and_restored(
     assert "1 value written and verified" in capsys.readouterr().err
     assert live(name, place, "compare", file) == 0
     assert not Path(f"{file}.journal").exists()
+
+
+@pytest.fixture
+def widget() -> Iterator[SimulatedDevice]:
+    with simulation("widget", ports={"rtu": "tcp://127.0.0.1:0"}, folder=TEST_FOLDER) as device:
+        yield device
+
+
+def test_a_link_with_registers_and_parameters_reads_both(
+    widget: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert live("widget", widget.place, "read", "--format", "json", folder=TEST_FOLDER) == 0
+    values = rows(capsys)
+    assert (values["lamp"]["address"], values["lamp"]["meaning"]) == (0x2000, "green")
+    assert (values["stroke"]["number"], values["stroke"]["meaning"]) == (1, "12.5 mm")
+    assert live("widget", widget.place, "read", "stroke", "lamp", folder=TEST_FOLDER) == 0
+    assert capsys.readouterr().out.splitlines()[:2] == [
+        "name    number or address  value  meaning",
+        "stroke  1                  125    12.5 mm",
+    ]
+
+
+def test_a_parameter_with_the_name_of_a_register_is_named_and_not_read(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    for part in ("widget", "protocols"):
+        shutil.copytree(TEST_SPECS / part, tmp_path / part)
+    file = tmp_path / "widget" / "registers.yaml"
+    file.write_text(file.read_text(encoding="utf-8").replace("name: stroke,", "name: lamp,"), encoding="utf-8")
+    with simulation("widget", ports={"rtu": "tcp://127.0.0.1:0"}, folder=str(tmp_path)) as device:
+        assert live("widget", device.place, "read", "lamp", "--format", "json", folder=str(tmp_path)) == 0
+    output = capsys.readouterr()
+    assert [row["address"] for row in json.loads(output.out)] == [0x2000]
+    assert "widget: not read, as registers have their names: lamp" in output.err
+
+
+def test_a_backup_of_registers_and_parameters_is_restored(
+    widget: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    file = str(tmp_path / "backup.csv")
+    runs = (
+        ["backup", file],
+        ["write", "stroke=20mm", "lamp=blue", "--yes"],
+        ["restore", file, "--yes"],
+        ["read", "stroke", "lamp", "--format", "json"],
+    )
+    for run in runs:
+        capsys.readouterr()
+        assert live("widget", widget.place, *run, folder=TEST_FOLDER) == 0
+    values = rows(capsys)
+    assert (values["stroke"]["value"], values["lamp"]["value"]) == (125, 1)
+
+
+def test_a_dump_of_registers_and_parameters_is_what_another_device_begins_with(
+    widget: SimulatedDevice, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    file = tmp_path / "dump.csv"
+    assert live("widget", widget.place, "write", "stroke=20mm", "lamp=blue", "--yes", folder=TEST_FOLDER) == 0
+    assert live("widget", widget.place, "dump", str(file), folder=TEST_FOLDER) == 0
+    with simulation("widget", ports={"rtu": "tcp://127.0.0.1:0"}, folder=TEST_FOLDER) as other:
+        _, unused = seed(other.simulation.engine, dump(text_sheet(file.read_bytes(), ""), {}))
+        assert unused == 0
+        capsys.readouterr()
+        live("widget", other.place, "read", "stroke", "lamp", "--format", "json", folder=TEST_FOLDER)
+    values = rows(capsys)
+    assert (values["stroke"]["value"], values["lamp"]["value"]) == (200, 5)
 
 
 def test_a_dump_of_parameters_is_what_another_device_begins_with(

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Iterator
 from fractions import Fraction
+from inspect import signature
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -68,8 +70,10 @@ class Access(Python):
     def answers(self, queries: list[Query]) -> list[Answer]:
         """Nothing about single queries; raises AssertionError where something is not as the layout says."""
         for register in self.layout.registers:
-            self._assert_readable(register)
-            self._assert_writable(register)
+            for option, messages in self._messages(register, "read"):
+                self._assert_readable(register, option, messages)
+            for option, messages in self._messages(register, "write"):
+                self._assert_writable(register, option, messages)
         for table in self.layout.tables.values():
             self._assert_table(table)
         for record in self.layout.records.values():
@@ -90,26 +94,27 @@ class Access(Python):
                 self._assert_columns(query)
         return [SILENT] * len(queries)
 
-    def _messages(self, register: RegisterLayout, operation: str) -> list[Message]:
-        """The messages that read or write the space of a register."""
+    def _messages(self, register: RegisterLayout, operation: str) -> Iterator[tuple[dict[str, str], list[Message]]]:
+        """The messages of each link that read or write the space of a register, and the argument for the link."""
         device = self.layout.device
+        function = getattr(self.module, f"{operation}_requests", None)
         space = device.space_name(register.register.space)
-        return [
-            layout.message
-            for layout in self.layout.messages.values()
-            if (access := device.register_access(layout.message) or device.bit_access(layout.message)) is not None
-            and access.operation == operation
-            and device.space_name(access.space) == space
-        ]
+        for link in self.layout.links.values() if function is not None else ():
+            messages = [
+                layout.message
+                for layout in link.carried("response" if operation == "read" else "request").values()
+                if (access := device.register_access(layout.message) or device.bit_access(layout.message)) is not None
+                and access.operation == operation
+                and device.space_name(access.space) == space
+            ]
+            if messages:
+                yield {"link": link.name} if "link" in signature(function).parameters else {}, messages
 
-    def _assert_readable(self, register: RegisterLayout) -> None:
+    def _assert_readable(self, register: RegisterLayout, option: dict[str, str], messages: list[Message]) -> None:
         """A request for a register is the message that reads its space, with its address."""
-        messages = self._messages(register, "read")
         constant = next(iter(self._array(register.name)))
-        if not messages or not hasattr(self.module, "read_requests"):
-            return
         try:
-            requests = self.module.read_requests(constant)
+            requests = self.module.read_requests(constant, **option)
         except self.error as error:
             fits = error.reason in ("out_of_range", "wrong_length") and register.register.atomic
             if not fits and register.register.access != "wo":
@@ -122,13 +127,10 @@ class Access(Python):
         address = getattr(requests[0], self._attribute(requests[0], access.start))
         assert address == register.address, f"{register.name} is read at {address}"
 
-    def _assert_writable(self, register: RegisterLayout) -> None:
+    def _assert_writable(self, register: RegisterLayout, option: dict[str, str], messages: list[Message]) -> None:
         """What cannot be written has no request, and what can be is written at its address."""
-        messages = self._messages(register, "write")
         value = register.register.value
         constant = next(iter(self._array(register.name)))
-        if not messages or not hasattr(self.module, "write_requests"):
-            return
         if value.const is not None:
             number: Any = value.const
         elif value.type.name == "bit":
@@ -138,7 +140,7 @@ class Access(Python):
         else:
             return
         try:
-            requests = self.module.write_requests(constant, number)
+            requests = self.module.write_requests(constant, number, **option)
         except self.error as error:
             fits = register.register.access == "ro" if error.reason == "read_only" else register.words > 1
             if not fits:

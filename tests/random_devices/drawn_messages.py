@@ -24,7 +24,7 @@ def messages(draft: Draft, coded_links: list[str], other_links: list[str]) -> li
     if drawn and draft.chance(25):
         _share_codes(draft, drawn)
     if coded_links and (draft.spec.get("registers") or draft.spec.get("tables")):
-        drawn += _accesses(draft, codes, coded_links if other_links else [])
+        drawn += _accesses(draft, codes, coded_links, bool(other_links))
     if coded_links and draft.spec.get("parameters") and draft.chance(60):
         drawn += parameter_messages(draft, codes, coded_links if other_links else [])
     numbers = 0
@@ -160,19 +160,24 @@ def _repeat_field(draft: Draft, message: Spec) -> None:
             message["response"].insert(0, field)
 
 
-def _accesses(draft: Draft, codes: set[int], links: list[str]) -> list[Spec]:
-    """The messages that read and write each space of words or bytes."""
+def _accesses(draft: Draft, codes: set[int], coded_links: list[str], is_stated: bool) -> list[Spec]:
+    """The messages that read and write each space of words or bytes; the first link may have messages of its own."""
+    links = coded_links if is_stated else []
+    parts = [links]
+    if len(coded_links) > 1 and draft.chance(40):
+        parts = [coded_links[:1], coded_links[1:]]
     units = {space["name"]: space.get("unit", "word") for space in draft.spec.get("spaces", [])}
     spaces = [name for name, unit in units.items() if unit != "bit"]
     drawn = []
     for space in spaces if "word" in units.values() else ["", *spaces]:
-        most = draft.number(1, 60)
-        for operation in ("read", "write"):
-            message = _access(draft, operation, space, most, "u8" if units.get(space) == "byte" else "u16")
-            message["code"] = free_code(draft, codes)
-            if links:
-                message["links"] = list(links)
-            drawn.append(message)
+        for part in parts:
+            most = draft.number(1, 60)
+            for operation in ("read", "write"):
+                message = _access(draft, operation, space, most, "u8" if units.get(space) == "byte" else "u16")
+                message["code"] = free_code(draft, codes)
+                if part:
+                    message["links"] = list(part)
+                drawn.append(message)
     if draft.chance(40):
         names = [name for name, unit in units.items() if unit != "bit"] or [""]
         message = _access_steps(draft, [(name, units.get(name, "word")) for name in names])
@@ -266,7 +271,7 @@ def _access(draft: Draft, operation: str, space: str, most: int, unit: str) -> S
     address = draft.fact(type="u16")
     count = draft.fact(type=draft.pick(("u16", "u8")), range=f"1..{most}")
     words = draft.fact(type=unit, repeat=f"1..{most}")
-    if has_characters := draft.chance(100):
+    if has_characters := draft.chance(25):
         address |= draft.pick(({"digits": "upper_hex", "length": 4}, {"digits": "decimal", "length": 4}))
         words |= _word_digits(draft, unit)
         if operation == "read" or draft.chance(50):

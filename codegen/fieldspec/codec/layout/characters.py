@@ -61,13 +61,14 @@ def _of_text(fact: Fact, value: Value, reader: str, for_controllers: bool) -> Re
 
 
 def _values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value | None]]:
-    """The registers and fields of a version with their values."""
+    """The registers, fields and cases of a version with their values."""
     for register in layout.registers:
         yield register.register, register.register.value
     bodies = (body for message in layout.messages.values() for body in message.bodies)
     for record in (*layout.records.values(), *bodies):
         for field in record.fields:
             yield field.field, field.value
+            yield from ((case.case, case.value) for case in field.cases)
 
 
 def _part_values(layout: DeviceLayout) -> Iterator[tuple[Fact, Value | None]]:

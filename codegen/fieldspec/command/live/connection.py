@@ -20,6 +20,7 @@ from fieldspec.tools.carriers.carrier import Carrier, CarrierError, LineSettings
 from fieldspec.tools.carriers.sockets import Connection, Datagrams
 from fieldspec.tools.carriers.terminals import SerialPort, has_line_settings
 from fieldspec.tools.live.client import Client, Timing
+from fieldspec.tools.live.joint_access import JointAccess
 from fieldspec.tools.live.left_out import reason_unread
 from fieldspec.tools.live.messages import link_of, parameter_message, signals
 from fieldspec.tools.live.parameter_access import ParameterAccess
@@ -61,11 +62,12 @@ def links_that_read(layout: DeviceLayout) -> list[str]:
 
 
 def access_of(client: Client) -> Access:
-    """What can be read and written by name over the link of a client: registers, or parameters and messages."""
+    """What can be read and written by name over the link of a client: registers, parameters and messages."""
     layout, link = client.layout, client.frames.link
-    if has_registers(layout) and not _has_signals_only(layout, link):
-        return RegisterAccess(layout)
-    return ParameterAccess(layout, link)
+    if not has_registers(layout) or _has_signals_only(layout, link):
+        return ParameterAccess(layout, link)
+    registers, parameters = RegisterAccess(layout), ParameterAccess(layout, link)
+    return JointAccess(registers, parameters) if parameters.items() else registers
 
 
 def _has_signals_only(layout: DeviceLayout, link: LinkLayout) -> bool:
@@ -282,7 +284,7 @@ def _open_fields(layout: DeviceLayout, link: LinkLayout) -> dict[str, Value]:
     """What requests need that no spec states, by name: parts before the body, and fields of those for parameters."""
     messages = [
         parameter_message(link, parameter_set, operation)
-        for parameter_set in (() if has_registers(layout) else layout.device.parameters.values())
+        for parameter_set in layout.device.parameters.values()
         for operation in ("read", "write")
     ]
     requests = [message.request for message in messages if message is not None]

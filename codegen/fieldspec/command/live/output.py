@@ -65,7 +65,7 @@ def print_values(access: Access, values: Sequence[Reading], form: str) -> int:
         rows = [
             {
                 "name": value.path,
-                access.heading: access.number(value),
+                access.heading(value): access.number(value),
                 "words": list(value.words),
                 "value": None if value.decoded is None else _json(value.decoded.number),
                 "meaning": meaning(value),
@@ -75,8 +75,9 @@ def print_values(access: Access, values: Sequence[Reading], form: str) -> int:
         ]
         print_json(rows, indent=1)
     else:
-        table = tuple((v.path, access.number_text(access.number(v)), number(v), meaning(v)) for v in values)
-        print_blocks([Table(("name", access.heading, "value", "meaning"), table)])
+        table = tuple((v.path, access.number_text(v), number(v), meaning(v)) for v in values)
+        heading = " or ".join(dict.fromkeys(map(access.heading, values)))
+        print_blocks([Table(("name", heading, "value", "meaning"), table)])
     sys.stdout.flush()
     return int(any(value.refusal for value in values))
 

@@ -144,7 +144,8 @@ def _compare(client: Client, access: Access, assignments: Sequence[Assignment], 
 
 def _change_row(access: Access, change: Change) -> dict[str, object]:
     now, new = _texts(access, change)
-    return {"name": change.path, access.heading: access.number(change.before), "device": now, "file": new}
+    before = change.before
+    return {"name": change.path, access.heading(before): access.number(before), "device": now, "file": new}
 
 
 def _texts(access: Access, change: Change) -> tuple[str, str]:

@@ -170,7 +170,7 @@ def _dump(client: Client, access: Access, spec: DeviceSpec, arguments: argparse.
         write(Path(path), text.encode("utf-8"))
     refused = [value.path for value in values if value.refusal and not value.is_absent]
     note = f", {len(refused)} values refused: {', '.join(refused[:5])}" if refused else ""
-    print_note(f"{len(rows)} {'words' if access.heading == 'address' else 'parameters'}{note}")
+    print_note(f"{len(rows)} {access.rows_text}{note}")
     return int(bool(refused))
 
 

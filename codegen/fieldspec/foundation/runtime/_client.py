@@ -42,7 +42,8 @@ class Link:
     that says why, empty for the first one. `refusal_part` is the part before the body that says so instead, and
     `refusal_names` its members by their numbers. `repeated` has the fields that a response repeats, each with its name
     there, by the class of the request, and `value_counts` a field of the request and one of the response: the values,
-    and how many there are, or reversed. `unanswered` are the classes of requests without a response.
+    and how many, or reversed. `unanswered` are the classes of requests without a response. `registers` is the name
+    of the link if its messages for registers differ.
     """
 
     def __init__(
@@ -64,16 +65,17 @@ class Link:
         repeated: dict[Any, tuple[tuple[str, str], ...]] | None = None,
         value_counts: dict[Any, tuple[str, str]] | None = None,
         unanswered: tuple[type[Any], ...] = (),
+        registers: str = "",
     ) -> None:
         self.codec, self.addressed, self.counters, self.parts = codec, addressed, counters, parts
         self.answers_addressed = addressed and answers_addressed
         self.echoes = {name: name for name, _, _ in counters}
         self.echoes.update(echoes or {})
-        self.timeout, self.pause, self.refusal_code = timeout, pause, refusal_code
+        self.timeout, self.pause = timeout, pause
+        self.refusal_code, self.refused_code, self.unanswered = refusal_code, refused_code, unanswered
         self.reason, self.refusal_part, self.refusal_names = reason, refusal_part, refusal_names
-        self.refused_code = refused_code
         self.repeated, self.value_counts = repeated or {}, value_counts or {}
-        self.unanswered = unanswered
+        self.registers = {"link": registers} if registers else {}
 
     def chosen_parts(self, parts: Mapping[str, Any]) -> dict[str, Any]:
         """The parts of requests that users choose; None stands for no choice. Raises ValueError."""
@@ -90,9 +92,8 @@ class Link:
         """Whether a frame from the device answers a request."""
         if self.answers_addressed and reply.unit_address != unit_address:
             return False
-        for name, echo in self.echoes.items():
-            if getattr(reply, echo) != head[name]:
-                return False
+        if any(getattr(reply, echo) != head[name] for name, echo in self.echoes.items()):
+            return False
         if isinstance(reply, ExceptionResponse):
             if self.refused_code and getattr(reply.exception, self.refused_code) != request.CODE:
                 return False
@@ -135,11 +136,10 @@ class Session:
         parts: Mapping[str, Any] | None = None,
     ) -> None:
         self.link, self.unit_address, self.retries = link, unit_address, retries
-        self.settle, self.begin = settle, begin
+        self.settle, self.begin, self.datagrams = settle, begin, datagrams
         self.timeout = link.timeout if timeout is None else timeout
         self.pause = link.pause if pause is None else pause
         self.now: Callable[[], float] = monotonic
-        self.datagrams = datagrams
         make = None if datagrams else getattr(link.codec, "response_framer", None)
         self._framer: Framer | None = make() if make is not None else None
         self._head = link.chosen_parts(parts or {}) | {name: high for name, _, high in link.counters}

@@ -98,15 +98,15 @@ class RegisterWork:
     """Reads and writes of registers, as generators. `codec` is the module of the device's version."""
 
     def __init__(self, session: Session, codec: Any) -> None:
-        self.session, self.codec = session, codec
+        self.session, self.codec, self.options = session, codec, session.link.registers
 
     def read(self, register: Register[T]) -> Work[T]:
         """The value of a register."""
         responses = []
-        for request in _encoded(self.codec.read_requests, register):
+        for request in _encoded(self.codec.read_requests, register, **self.options):
             response = yield from self.session.ask(request)
             responses.append(response.message)
-        value: T = _decoded(self.codec.read_value, register, *responses)
+        value: T = _decoded(self.codec.read_value, register, *responses, **self.options)
         return value
 
     def read_in_unit(self, register: Register[Any]) -> Work[float | None]:
@@ -129,7 +129,8 @@ class RegisterWork:
 
     def write(self, register: Register[T], value: T) -> Work[None]:
         """Writes a register; the value is encoded at once."""
-        return self._sent(_encoded(_function(self.codec, "write_requests", register.name), register, value))
+        write_requests = _function(self.codec, "write_requests", register.name)
+        return self._sent(_encoded(write_requests, register, value, **self.options))
 
     def write_in_unit(self, register: Register[Any], quantity: Quantity | None) -> Work[None]:
         """Writes a register by a value in its unit; it is encoded at once, or by the exponent that the device has."""
@@ -297,8 +298,8 @@ def _encoded(encode: Any, *arguments: Any, **named: Any) -> Any:
         raise InvalidValueError(str(error)) from error
 
 
-def _decoded(decode: Any, *arguments: Any) -> Any:
+def _decoded(decode: Any, *arguments: Any, **named: Any) -> Any:
     try:
-        return decode(*arguments)
+        return decode(*arguments, **named)
     except CodecError as error:
         raise InvalidAnswerError(str(error)) from error

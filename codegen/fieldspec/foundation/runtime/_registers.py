@@ -329,9 +329,10 @@ def writable(register: Register[Any]) -> None:
         raise CodecError("read_only", f"{register.name} can only be read")
 
 
-def unreachable(register: Register[Any], operation: str) -> CodecError:
-    """The error for a register in a space that no message reads or writes."""
-    return CodecError("no_message", f"no message {operation}s {register.name} in {register.space}")
+def unreachable(register: Register[Any], operation: str, link: str = "") -> CodecError:
+    """The error for a register in a space that no message reads or writes, or none of a link."""
+    owner, place = f" of {link}" if link else "", f" in {register.space}" if register.space else ""
+    return CodecError("no_message", f"no message{owner} {operation}s {register.name}{place}")
 
 
 def replies(register: Register[Any], responses: Iterable[object], kind: type[T]) -> list[T]:
@@ -339,8 +340,7 @@ def replies(register: Register[Any], responses: Iterable[object], kind: type[T])
     checked = []
     for response in responses:
         if not isinstance(response, kind):
-            text = f"{register.name} is in {register.space}, of which {type(response).__name__} carries nothing"
-            raise CodecError("wrong_type", text)
+            raise CodecError("wrong_type", f"{type(response).__name__} carries nothing of {register.name}")
         checked.append(response)
     return checked
 

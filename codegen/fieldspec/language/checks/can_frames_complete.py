@@ -22,8 +22,9 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.escape import CAN_DATA
+from fieldspec.language.model.fact import Place
 from fieldspec.language.model.link import Link, Part
-from fieldspec.language.model.record import Message
+from fieldspec.language.model.record import Message, Record
 from fieldspec.language.model.sizes import RecordSizes, messages_on, messages_sent, part_size, sent_on
 
 _CODE = "can_frames_complete"
@@ -124,29 +125,42 @@ def _of_span(link: Link, direction: str, part: Part, identifier_end: int) -> Ite
 
 def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
     """The data of every message, and of an exception response, fit into a frame."""
-    sizes = RecordSizes(device)
     for direction in ("request", "response"):
-        parts_size = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
         for message in messages_sent(device, link, direction):
             record = message.request if direction == "request" else message.response
-            bounds = [sizes.field(field) for field in record.fields]
-            stated_bounds = [pair for pair in bounds if pair is not None]
-            # Lists may fill a frame together, such as data and padding; encoders reject more.
-            size = (
-                parts_size
-                + sum(low for low, _ in stated_bounds)
-                + max((high - low for low, high in stated_bounds), default=0)
-            )
-            if len(stated_bounds) == len(bounds) and size > CAN_DATA:
-                text = f"the {direction} of {message.name} has {size} bytes, and a CAN frame {CAN_DATA}"
-                yield finding(_CODE, message.place, direction, text, "divide it into several messages")
+            subject = f"the {direction} of {message.name}"
+            help = "divide it into several messages"
+            yield from _of_record(device, link, direction, record, subject, (message.place, direction, help))
     error = link.exception_response
-    record_bounds = sizes.bounds(device.records[error.record]) if error and error.record in device.records else None
-    parts_size = sum(part_size(part) for part in link.response if part.bits is None)
-    if record_bounds is not None and record_bounds[1] + parts_size > CAN_DATA:
-        size = record_bounds[1] + parts_size
-        text = f"an exception response on {link.name} has {size} bytes, and a CAN frame {CAN_DATA}"
-        yield finding(_CODE, link.place, "exception_response", text, "shorten the record")
+    if error is not None and error.record in device.records:
+        subject, record = f"an exception response on {link.name}", device.records[error.record]
+        owner = link.place, "exception_response", "shorten the record"
+        yield from _of_record(device, link, "response", record, subject, owner)
+
+
+def _of_record(
+    device: Device, link: Link, direction: str, record: Record, subject: str, owner: tuple[Place, str, str]
+) -> Iterator[Diagnostic]:
+    """Data that are too long: `owner` says where, and what to do, if no list can be shorter.
+
+    Lists may fill a frame together, such as data and padding; encoders reject more.
+    """
+    sizes = RecordSizes(device)
+    bounds = [(field, pair) for field in record.fields if (pair := sizes.field(field)) is not None]
+    if len(bounds) < len(record.fields):
+        return
+    least = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
+    least += sum(low for _, (low, _) in bounds)
+    if least > CAN_DATA:
+        place, key, help = owner
+        yield finding(_CODE, place, key, f"{subject} has {least} bytes, and a CAN frame {CAN_DATA}", help)
+        return
+    for field, (low, high) in bounds:
+        size = least + high - low
+        if size > CAN_DATA:
+            text = f"with {field.name} at its longest, {subject} has {size} bytes, and a CAN frame {CAN_DATA}"
+            help = f"lower the limit of {field.name}, or {owner[2]}"
+            yield finding(_CODE, field.place, "length" if field.repeat is None else "repeat", text, help)
 
 
 def _remote_request(device: Device, message: Message) -> Iterator[Diagnostic]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from fieldspec.codec.layout.carrying import carries
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
@@ -30,14 +31,6 @@ from fieldspec.targets.js.text import (
 from fieldspec.targets.js.values import sign_literal
 
 _CODES = "number | bigint"
-
-
-def carries(link: LinkLayout, message: MessageLayout) -> bool:
-    """Whether a message is sent on a link: with its code where frames have one, or by being named."""
-    coded = link.request.role("code") is not None
-    if message.name not in link.messages:
-        return False
-    return (message.message.code is not None) == coded or (bool(message.message.links) and not coded)
 
 
 def declare_message(message: MessageLayout, names: Names) -> Declaration:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from fieldspec.codec.layout.carrying import carries
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.omissions import Expressed, Omission, expressed, listing
@@ -14,7 +15,7 @@ from fieldspec.targets.explainer.codecs import codec_constants, javascript
 from fieldspec.targets.fact_texts import sentence
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.enums import declare_enum, declare_flags
-from fieldspec.targets.js.links import carries, declare_link, declare_message
+from fieldspec.targets.js.links import declare_link, declare_message
 from fieldspec.targets.js.parameters import declare_parameters
 from fieldspec.targets.js.records import declare_record
 from fieldspec.targets.js.registers import declare_accesses, declare_register, declare_table

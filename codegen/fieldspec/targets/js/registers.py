@@ -5,17 +5,17 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 
+from fieldspec.codec.layout.carrying import carries_words
 from fieldspec.codec.layout.device import TableLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import RecordLayout, RegisterLayout
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.js.declaration import Declaration, Names
-from fieldspec.targets.js.links import carries
 from fieldspec.targets.js.members import members_of
 from fieldspec.targets.js.text import comment, flag, literal, object_of
 from fieldspec.targets.js.units import POWER_UNIT, absent_of, power_unit_of, unit_of
@@ -114,7 +114,8 @@ class Access:
     """A message that reads or writes up to `most` words of a space; `single` where it is always one word.
 
     `bit` is empty in a space of words. Else it says how bits are carried: the numbers of a bit that is 0 and of one
-    that is 1, or none where they are packed into bytes.
+    that is 1, or none where they are packed into bytes. `links` are those that carry it; empty where links do not
+    differ.
     """
 
     message: MessageLayout
@@ -126,14 +127,18 @@ class Access:
     most: int
     single: bool
     bit: str
+    links: tuple[str, ...] = ()
 
 
 def accesses(names: Names) -> list[Access]:
-    """The messages that read and write registers, the first one of each kind for each space."""
+    """The messages that read and write registers, the first one of each kind for each space; of each link where links
+    have different ones. The link of the factory settings comes first.
+    """
     device, candidates = names.layout.device, []
+    links = sorted(names.layout.links.values(), key=lambda link: link.name != device.default_link)
     for message in names.layout.messages.values():
         access = device.register_access(message.message) or device.bit_access(message.message)
-        if access is None or not any(carries(link, message) for link in names.layout.links.values()):
+        if access is None or not any(carries_words(link, message) for link in links):
             continue
         keys = {member.field.name: member for member in members_of(message.request)}
         holder = message.response if access.operation == "read" else message.request
@@ -165,10 +170,23 @@ def accesses(names: Names) -> list[Access]:
                 json.dumps(numbers) if bits else "",
             )
         )
-    kinds: dict[tuple[str, str, bool], Access] = {}
-    for entry in candidates:
-        kinds.setdefault((entry.space, entry.operation, entry.single), entry)
-    return list(kinds.values())
+    shared = _by_space(candidates)
+    by_link = {link.name: _by_space([row for row in candidates if carries_words(link, row.message)]) for link in links}
+    if all(shared[key] == rows for own in by_link.values() for key, rows in own.items()):
+        return [row for row in candidates if shared[row.space, row.operation].get(row.single) is row]
+    different: dict[int, list[str]] = {}
+    for name, own in by_link.items():
+        for row in (row for rows in own.values() for row in rows.values()):
+            different.setdefault(candidates.index(row), []).append(name)
+    return [replace(candidates[number], links=tuple(names)) for number, names in different.items()]
+
+
+def _by_space(candidates: Sequence[Access]) -> dict[tuple[str, str], dict[bool, Access]]:
+    """The first message for one word and for several, by space and operation."""
+    kinds: dict[tuple[str, str], dict[bool, Access]] = {}
+    for row in candidates:
+        kinds.setdefault((row.space, row.operation), {}).setdefault(row.single, row)
+    return kinds
 
 
 def _greatest_count(request: RecordLayout, count: str, repeat: Ranges | None) -> int:
@@ -191,13 +209,11 @@ def declare_accesses(names: Names) -> Declaration:
         return Declaration([], [])
     reads = _union(names, rows, "read")
     writes = _union(names, rows, "write")
-    code += ["const accesses = () => [", *table, "];", ""]
+    links = list(dict.fromkeys(name for row in rows for name in row.links))
+    functions: dict[str, tuple[str, str]] = {}
     if reads:
-        code += [
-            "export const readRequests = (entry) => readRequestsOf(accesses(), entry);",
-            f"export const readValue = (entry, ...responses) => valueOf(accesses(), entry, responses, {order});",
-            "",
-        ]
+        functions["readRequests"] = "(entry)", "readRequestsOf({accesses}, entry)"
+        functions["readValue"] = "(entry, ...responses)", f"valueOf({{accesses}}, entry, responses, {order})"
         types += [
             *comment(
                 ["The requests that read a register, several where one cannot read all words. Throws CodecError."]
@@ -211,10 +227,7 @@ def declare_accesses(names: Names) -> Declaration:
             "",
         ]
     if writes:
-        code += [
-            f"export const writeRequests = (entry, value) => writeRequestsOf(accesses(), entry, value, {order});",
-            "",
-        ]
+        functions["writeRequests"] = "(entry, value)", f"writeRequestsOf({{accesses}}, entry, value, {order})"
         types += [
             *comment(["The requests that write a register. Throws CodecError for a value that is out of range."]),
             "export declare function writeRequests<T>(",
@@ -223,7 +236,33 @@ def declare_accesses(names: Names) -> Declaration:
             f"): ({writes})[];",
             "",
         ]
-    return Declaration(code, types)
+    if not links:
+        code += ["const accesses = () => [", *table, "];", ""]
+        for name, (parameters, body) in functions.items():
+            code += [f"export const {name} = {parameters} => {body.format(accesses='accesses()')};"]
+            code += [""] * (name != "readRequests")
+        return Declaration(code, types)
+    first = literal(links[0])
+    code += ["const accesses = (link) => [", *table, "].filter((access) => access.links.includes(link));", ""]
+    code += ["export const registersOn = (link) => ({"]
+    code += [
+        f"  {name}: {parameters} => {body.format(accesses='accesses(link)')},"
+        for name, (parameters, body) in functions.items()
+    ]
+    code += ["});", ""]
+    code += [
+        f"export const {name} = {parameters} => registersOn({first}).{name}{parameters};"
+        for name, (parameters, _) in functions.items()
+    ]
+    doc = f"The functions for registers with the messages of a link; those without it have the messages of {first}."
+    types += [
+        *comment([doc]),
+        f"export declare function registersOn(link: {' | '.join(map(literal, links))}): {{",
+        *(f"  {name}: typeof {name};" for name in functions),
+        "};",
+        "",
+    ]
+    return Declaration([*code, ""], types)
 
 
 def _access_row(row: Access, names: Names) -> str:
@@ -238,6 +277,7 @@ def _access_row(row: Access, names: Names) -> str:
         "most": str(row.most),
         "single": flag(row.single),
         **({"bit": row.bit} if row.bit else {}),
+        **({"links": f"[{', '.join(map(literal, row.links))}]"} if row.links else {}),
     }
     return f"  {object_of(properties)},"
 

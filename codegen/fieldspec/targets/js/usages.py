@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from functools import partial
 
+from fieldspec.codec.layout.carrying import carries
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
@@ -15,7 +16,7 @@ from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.value import Value
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.enums import member_keys
-from fieldspec.targets.js.links import argument_keys, carries
+from fieldspec.targets.js.links import argument_keys
 from fieldspec.targets.js.members import Member, members_of
 from fieldspec.targets.js.module import declarations, remaining
 from fieldspec.targets.js.naming import module_scope
@@ -25,14 +26,14 @@ from fieldspec.targets.runtime_values import is_wide
 from fieldspec.targets.usages import Usage, VersionUsages, sample_text, spelling
 
 _IMPORT = 'import * as device from "fieldspec-devices/@folder@/@module@.js";\n'
-_READ = "const [{ message, data }] = device.readRequests(device.@0@);\n"
+_READ = "const [{ message, data }] = {functions}.readRequests(device.@0@);\n"
 _EXCHANGE = """const frame = device.{link}.encodeRequest({header}, {message}, {data});
 // Send the frame; answer is the frame that comes back.
 const response = device.{link}.decodeResponse(answer);
 """
-_VALUE = "const value = device.readValue(device.@0@, response.data);\n"
+_VALUE = "const value = {functions}.readValue(device.@0@, response.data);\n"
 _WRITE = """
-const [command] = device.writeRequests(device.@0@, {value});
+const [command] = {functions}.writeRequests(device.@0@, {value});
 const written = device.{link}.encodeRequest({header}, command.message, command.data);
 """
 _DECLARED = re.compile(r"export const (\w+) = /\* @__PURE__ \*/ (register|registerArray|table|link|parameterSet)\(")
@@ -101,13 +102,12 @@ class _Usages:
             text, arguments = _IMPORT, [name + (f".at({register.index_from})" if layout.count > 1 else "")]
             read = self._access(known, space, "read", layout.words)
             if read is not None and readable(register.access):
-                text += "\n" + _READ + self._exchange(read[1], "message", "data") + _VALUE
+                text += "\n" + self._reading(*read)
                 has_quantity = unit_of(value) and not value.scale_by
                 text += "const quantity = device.@0@.units.inUnit(value);\n" if has_quantity else ""
             write, sample = self._access(known, space, "write", layout.words), self._sample(value)
             if write is not None and sample and (writable(register.access) or register.trigger):
-                link = write[1]
-                text += _WRITE.format(value="@1@", link=self.links[link.name], header=self._header(link))
+                text += self._writing(*write, "@1@")
                 arguments.append(sample)
             if text != _IMPORT:
                 yield Usage(register.place.path, text, tuple(arguments))
@@ -119,9 +119,7 @@ class _Usages:
             write = self._access(known, space, "write", layout.words)
             if read is None or layout.table.base_by:
                 continue
-            start = f"{_IMPORT}\n{_READ}{self._exchange(read[1], 'message', 'data')}{_VALUE}".replace(
-                "const value", "const record"
-            )
+            start = f"{_IMPORT}\n{self._reading(*read)}".replace("const value", "const record")
             for member in members_of(layout.record):
                 field = member.field
                 if not member.key or field.value is None or field.is_list or field.field.reserved:
@@ -132,9 +130,7 @@ class _Usages:
                 )
                 sample = self._sample(field.value)
                 if write is not None and sample and writable(layout.access(field.field)):
-                    link = write[1]
-                    back = _WRITE.format(value="record", link=self.links[link.name], header=self._header(link))
-                    text += f"\nrecord.@1@ = @2@;{back}"
+                    text += f"\nrecord.@1@ = @2@;{self._writing(*write, 'record')}"
                     arguments.append(sample)
                 yield Usage(field.field.place.path, text, tuple(arguments))
 
@@ -193,16 +189,24 @@ class _Usages:
         device = self.layout.device
         return device.space_name(space) if device.several_spaces else ""
 
-    def _access(
-        self, known: Sequence[Access], space: str, operation: str, words: int
-    ) -> tuple[Access, LinkLayout] | None:
-        """The message that accesses `count` words, and the first link that carries it."""
+    def _access(self, known: Sequence[Access], space: str, operation: str, words: int) -> tuple[str, LinkLayout] | None:
+        """The object with the functions for a register of some words, and the first link that carries their message."""
         for access in known:
             if access.space == space and access.operation == operation and words <= access.most:
-                link = self._carrier(access.message)
+                if access.links[:1] != known[0].links[:1]:
+                    name = access.links[0]
+                    return f'device.registersOn("{name}")', self.layout.links[name]
+                link = self.layout.links[access.links[0]] if access.links else self._carrier(access.message)
                 if link is not None:
-                    return access, link
+                    return "device", link
         return None
+
+    def _reading(self, functions: str, link: LinkLayout) -> str:
+        text = _READ + self._exchange(link, "message", "data") + _VALUE
+        return text.replace("{functions}", functions)
+
+    def _writing(self, functions: str, link: LinkLayout, value: str) -> str:
+        return _WRITE.format(functions=functions, value=value, link=self.links[link.name], header=self._header(link))
 
     def _carrier(self, message: MessageLayout) -> LinkLayout | None:
         return next((link for link in self.layout.links.values() if carries(link, message)), None)

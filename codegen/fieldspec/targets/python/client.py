@@ -95,7 +95,8 @@ def client_view(layout: DeviceLayout, module: str, view: Mapping[str, Any]) -> C
     sets = _parameters(layout, view) if single else []
     bases = [name for name, has in (("RegisterClient", reads_registers), ("ParameterClient", bool(sets))) if has]
     head = sentence(f"{device.vendor} {device.name}, version {device.version}")
-    links = [client_link(layout, link, spoken[link.name], names) for link in answering]
+    is_different = bool(view["register_links"])
+    links = [client_link(layout, link, spoken[link.name], names, is_different) for link in answering]
     own = [link_view for link_view, link in zip(links, answering, strict=True) if link in single]
     addressed = [link for link in single if link.request.role("unit_address") is not None]
     return ClientView(

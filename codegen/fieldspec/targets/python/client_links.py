@@ -58,12 +58,18 @@ def reply_type(view: LinkView) -> str:
     return f"{wrapper}[_R]" if wrapper.startswith("_") else f"{CODEC}.{wrapper}[_R]"
 
 
-def client_link(layout: DeviceLayout, link: LinkLayout, view: LinkView, names: ClientNames) -> ClientLinkView:
-    """The view of a link: how requests and responses belong together, and the times that the manual prints."""
+def client_link(
+    layout: DeviceLayout, link: LinkLayout, view: LinkView, names: ClientNames, is_different: bool
+) -> ClientLinkView:
+    """The view of a link: how requests and responses belong together, and the times that the manual prints.
+
+    `is_different`: the messages that access registers depend on the link.
+    """
     addressed = link.request.role("unit_address") is not None
     arguments = [f"{CODEC}.{view.name}", f"addressed={addressed}"]
     if addressed and link.response.role("unit_address") is None:
         arguments.append("answers_addressed=False")
+    arguments += [f"registers={literal(link.name)}"] * is_different
     parts = named_parts(link, view)
     arguments += _parts(link, view, parts)
     timeout = _timeout(layout, link)

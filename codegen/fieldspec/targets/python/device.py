@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from fieldspec.codec.layout.carrying import carries
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.foundation.classes import dataclass, replace
@@ -12,7 +13,7 @@ from fieldspec.foundation.names import Name
 from fieldspec.targets.fact_texts import sentence
 from fieldspec.targets.python.enums import enum_view, flags_view
 from fieldspec.targets.python.frames import code_literal
-from fieldspec.targets.python.links import Exchange, ExchangeView, LinkView, carries, link_view
+from fieldspec.targets.python.links import Exchange, ExchangeView, LinkView, link_view
 from fieldspec.targets.python.naming import MESSAGE, RECORD, Scope, module_scope
 from fieldspec.targets.python.parameters import parameter_set_view, space_views
 from fieldspec.targets.python.quantities import conversion_view
@@ -20,7 +21,7 @@ from fieldspec.targets.python.record_parts import column_lines, record_doc
 from fieldspec.targets.python.record_shape import RecordShape, shape
 from fieldspec.targets.python.records import RecordView, record_view
 from fieldspec.targets.python.registers import register_views, table_view
-from fieldspec.targets.python.requests import space_accesses
+from fieldspec.targets.python.requests import register_accesses
 from fieldspec.targets.python.slots import Words
 from fieldspec.targets.python.text import docstring, literal
 from fieldspec.targets.python.writing import tuple_of
@@ -57,7 +58,8 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
     links = [link_view(link, exchanges, layout.records, words, scope) for link in carrying]
     messages = [view for exchange in exchanges for view in _messages(exchange, links, layout)]
     order = device.byte_order
-    accesses = space_accesses(device, exchanges)
+    accesses = register_accesses(device, carrying, exchanges)
+    register_links = list(dict.fromkeys(name for access in accesses for name in access.links))
 
     def space(name: str) -> str:
         return device.space_name(name) if device.several_spaces else ""
@@ -88,7 +90,11 @@ def device_view(layout: DeviceLayout) -> dict[str, Any]:
             for table_layout in layout.tables.values()
         ],
         "accesses": accesses,
-        "spaces_of_words": [access.space for access in accesses if access.space],
+        "spaces_of_words": list(dict.fromkeys(access.space for access in accesses if access.space)),
+        "register_links": register_links,
+        "link_type": f"_Literal[{', '.join(map(literal, register_links))}] = {literal(register_links[0])}"
+        if register_links
+        else "",
         "read": next((access.read for access in accesses if access.read), None),
         "single": next((access.single for access in accesses if access.single), None),
         "block": next((access.block for access in accesses if access.block), None),

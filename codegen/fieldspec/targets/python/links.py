@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from fieldspec.codec.layout.carrying import carries
 from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.part import PartLayout
@@ -229,17 +230,6 @@ def _wrapper(name: str, kind: str, attributes: list[str], arguments: list[PartVi
         parameters=", ".join(["unit_address", *names]),
         head_parts=arguments,
     )
-
-
-def carries(link: LinkLayout, message: MessageLayout) -> bool:
-    """Whether a message is sent on a link: one with a code where frames have one, one without where they have none.
-
-    A message that names its links is sent on them with its code left out where they have none.
-    """
-    coded = link.request.role("code") is not None
-    if message.name not in link.messages:
-        return False
-    return (message.message.code is not None) == coded or (bool(message.message.links) and not coded)
 
 
 def _direction(

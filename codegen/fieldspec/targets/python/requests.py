@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from fieldspec.foundation.classes import dataclass
+from collections.abc import Sequence
+
+from fieldspec.codec.layout.carrying import carries_words
+from fieldspec.codec.layout.frame import LinkLayout
+from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import RegisterAccess
 from fieldspec.targets.python.links import Exchange
 from fieldspec.targets.python.record_shape import RecordShape
 from fieldspec.targets.python.slots import Slots
+from fieldspec.targets.python.text import literal
+from fieldspec.targets.python.writing import tuple_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,15 +35,54 @@ class AccessView:
 
 @dataclass(frozen=True, slots=True)
 class SpaceAccess:
-    """The messages that read and write the registers of an address space; empty name: the device has only one space."""
+    """The messages that read and write the registers of an address space; empty name: the device has only one space.
+
+    `links` are those that carry them; empty where links do not differ.
+    """
 
     space: str
     read: AccessView | None
     single: AccessView | None
     block: AccessView | None
+    links: tuple[str, ...] = ()
+
+    @property
+    def condition(self) -> str:
+        """The expression that says whether a register on a link is accessed so; empty: it always is."""
+        names = [literal(name) for name in self.links]
+        tests = [f"link == {names[0]}" if len(names) == 1 else f"link in {tuple_of(names)}"] * bool(names)
+        tests += [f"register.space == {literal(self.space)}"] * bool(self.space)
+        return " and ".join(tests)
+
+    def has(self, other: SpaceAccess) -> bool:
+        """Whether these are the messages of another one, as far as it has any."""
+        writers = (self.single, self.block), (other.single, other.block)
+        return other.read in (None, self.read) and (writers[1] == (None, None) or writers[0] == writers[1])
 
 
-def space_accesses(device: Device, exchanges: list[Exchange]) -> list[SpaceAccess]:
+def register_accesses(device: Device, links: Sequence[LinkLayout], exchanges: list[Exchange]) -> list[SpaceAccess]:
+    """The messages that access each space, in the order of the spec; for each link where links differ.
+
+    The link of the factory settings comes first.
+    """
+    shared = _space_accesses(device, exchanges)
+    by_link = {
+        link.name: _space_accesses(
+            device, [exchange for exchange in exchanges if carries_words(link, exchange.message)]
+        )
+        for link in sorted(links, key=lambda link: link.name != device.default_link)
+    }
+    if all(own.has(other) for rows in by_link.values() for own, other in zip(shared, rows, strict=True)):
+        return shared
+    different: dict[SpaceAccess, list[str]] = {}
+    for name, rows in by_link.items():
+        for row in rows:
+            if row.read or row.single or row.block:
+                different.setdefault(row, []).append(name)
+    return [replace(row, links=tuple(names)) for row, names in different.items()]
+
+
+def _space_accesses(device: Device, exchanges: list[Exchange]) -> list[SpaceAccess]:
     """The messages that access each space, in the order of the spec."""
     names = list(device.spaces) if device.several_spaces else [""]
     accesses = []

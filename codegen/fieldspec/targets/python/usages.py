@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -17,8 +17,9 @@ from fieldspec.targets.python.enums import EnumView
 from fieldspec.targets.python.links import Exchange, LinkView
 from fieldspec.targets.python.naming import Scope, module_name, package_name
 from fieldspec.targets.python.parameter_requests import ParameterMessageView
-from fieldspec.targets.python.requests import SpaceAccess
+from fieldspec.targets.python.requests import AccessView, SpaceAccess
 from fieldspec.targets.python.slots import Slots
+from fieldspec.targets.python.text import literal
 from fieldspec.targets.usages import Usage, VersionUsages, sample_count, spelling
 
 _IMPORT = "from fieldspec_devices.@package@ import @module@ as @package@\n"
@@ -27,10 +28,10 @@ _EXCHANGE = """frame = @package@.{link}.encode_request({call})
 response = @package@.{link}.decode_response(answer, request)
 """
 _SEND = "frame = @package@.{link}.encode_request({call})\n"
-_REGISTER = "\nrequest = @package@.read_request(@package@.@0@)\n{exchange}"
-_VALUE = "value = @package@.read_value(@package@.@0@, response.message)\n"
+_REGISTER = "\nrequest = @package@.read_request(@package@.@0@{option})\n{exchange}"
+_VALUE = "value = @package@.read_value(@package@.@0@, response.message{option})\n"
 _QUANTITY = "quantity = @package@.@0@.in_unit(value)\n"
-_WRITE = "\nrequest = @package@.write_request(@package@.@0@, {value})\n{send}"
+_WRITE = "\nrequest = @package@.write_request(@package@.@0@, {value}{option})\n{send}"
 _EXTRA = re.compile(r"(\w+): [\w |]+(?=[,)])")
 
 
@@ -81,33 +82,35 @@ class _Usages:
         text, arguments = "", [name + (f"[{register.index_from}]" if layout.count > 1 else "")]
         if access is None:
             return text, arguments
-        link = self._link(access.read.request) if access.read is not None else None
+        link, option = self._carrier(access, access.read), self._option(access)
         if (
             link is not None
             and access.read is not None
             and readable(register.access)
             and layout.words <= access.read.most
         ):
-            text += _REGISTER.format(exchange=self._exchange(link)) + _VALUE + (_QUANTITY if value.scaled else "")
+            text += _REGISTER.format(exchange=self._exchange(link), option=option) + _VALUE.format(option=option)
+            text += _QUANTITY if value.scaled else ""
         writer = access.single if layout.words == 1 and access.single is not None else access.block
         if writer is None or not (writable(register.access) or register.trigger) or layout.words > writer.most:
             return text, arguments
-        link, sample = self._link(writer.request), self._sample(value)
+        link, sample = self._carrier(access, writer), self._sample(value)
         if link is not None and sample:
-            text += _WRITE.format(value="@1@", send=self._send(link))
+            text += _WRITE.format(value="@1@", option=option, send=self._send(link))
             arguments.append(sample)
         return text, arguments
 
     def _tables(self) -> Iterator[Usage]:
         for layout, view in zip(self.layout.tables.values(), self.view["tables"], strict=True):
             access = self._access(layout.table.space) if not layout.table.base_by else None
-            link = self._link(access.read.request) if access is not None and access.read is not None else None
+            link = self._carrier(access, access.read) if access is not None else None
             if access is None or access.read is None or link is None or layout.words > access.read.most:
                 continue
-            exchange = self._exchange(link)
-            reading = f"{_IMPORT}{_REGISTER.format(exchange=exchange)}{_VALUE.replace('value =', 'record =')}"
+            exchange, option = self._exchange(link), self._option(access)
+            reading = _IMPORT + _REGISTER.format(exchange=exchange, option=option)
+            reading += _VALUE.format(option=option).replace("value =", "record =")
             writer = access.block if access.block is not None and layout.words <= access.block.most else None
-            back = self._link(writer.request) if writer is not None else None
+            back = self._carrier(access, writer)
             element = f"{view.name}[{layout.table.index_from}]"
             for field in layout.record.fields:
                 if field.value is None or field.field.reserved or field.value.const is not None or field.is_list:
@@ -115,7 +118,7 @@ class _Usages:
                 text, arguments = f"{reading}value = record.@1@\n", [element, field.name]
                 sample = self._sample(field.value)
                 if back is not None and sample and writable(layout.access(field.field)):
-                    text += "\nrecord.@1@ = @2@" + _WRITE.format(value="record", send=self._send(back))
+                    text += "\nrecord.@1@ = @2@" + _WRITE.format(value="record", option=option, send=self._send(back))
                     arguments.append(sample)
                 yield Usage(field.field.place.path, text, tuple(arguments))
 
@@ -201,6 +204,18 @@ class _Usages:
         device = self.layout.device
         name = device.space_name(space) if device.several_spaces else ""
         return next((access for access in self.view["accesses"] if access.space == name), None)
+
+    def _option(self, access: SpaceAccess) -> str:
+        """The argument that names the link; empty where the functions have its messages without it."""
+        usual: Sequence[str] = self.view["register_links"][:1]
+        return f", link={literal(access.links[0])}" if [*access.links[:1]] != usual else ""
+
+    def _carrier(self, access: SpaceAccess, message: AccessView | None) -> LinkView | None:
+        """The first link that accesses registers by a message."""
+        if message is None:
+            return None
+        links: Mapping[str, LinkView] = self.view["links_by_name"]
+        return links[access.links[0]] if access.links else self._link(message.request)
 
     def _link(self, request: str) -> LinkView | None:
         """The first link that carries a request."""

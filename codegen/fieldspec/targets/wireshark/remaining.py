@@ -102,6 +102,8 @@ def _separate_values(layout: DeviceLayout) -> Iterator[str]:
 
 
 def _separate_fields(record: RecordLayout, names: Collection[str]) -> Iterator[str]:
+    if record.selector is not None:
+        yield from (case.case.place.path for case in record.fields[-1].cases if not case.value.width)
     for field in record.fields:
         value = field.value
         if value is None or value.width or field.field.measures is not None or field.bits_of:
@@ -157,11 +159,18 @@ def _in_bytes(layout: DeviceLayout, paths: Collection[str], absent: Absences) ->
 
 def _record(record: RecordLayout, paths: Collection[str], records: dict[str, RecordLayout]) -> RecordLayout:
     fields = tuple(_field(field, paths, records) for field in record.fields)
-    if all(field is other for field, other in zip(fields, record.fields, strict=True)):
+    refused = [case for field in fields for case in field.cases if case.case.place.path in paths]
+    if not refused and all(field is other for field, other in zip(fields, record.fields, strict=True)):
         return record
     by_name = {field.name: field for field in fields}
     selector = by_name[record.selector.name] if record.selector is not None else None
-    chosen = {number: _record(own, paths, records) for number, own in record.chosen.items()}
+    in_bytes = {number for case in refused for number in case.numbers}
+    chosen = {}
+    for number, own in record.chosen.items():
+        *before, last = _record(own, paths, records).fields
+        if number in in_bytes and last.value is not None:
+            last = replace(last, value=_bytes(last.value))
+        chosen[number] = replace(own, fields=(*before, last))
     return replace(record, fields=fields, selector=selector, chosen=chosen)
 
 

@@ -43,14 +43,17 @@ class Access(Protocol):
     layout: DeviceLayout
     what: str
     """The noun in the message about an unknown name."""
-    heading: str
-    """The heading of the numbers of values: `address` or `number`."""
+    rows_text: str
+    """What a dump has a row for."""
+
+    def heading(self, value: Any) -> str:
+        """The heading of the number of a value: `address` or `number`."""
 
     def number(self, value: Any) -> int | None:
         """The address or the number of a value; None where it has none."""
 
-    def number_text(self, number: int | None) -> str:
-        """The address or number of a value as people write it."""
+    def number_text(self, value: Any) -> str:
+        """The address or number of a value as people write it; empty where it has none."""
 
     def dump_rows(self, items: Sequence[Item], values: Sequence[Any]) -> list[DumpRow]:
         """The rows of a dump of values that were read, in order."""

@@ -1,4 +1,4 @@
-"""Values of devices without registers: parameters that messages read and write, and fields of responses."""
+"""Values beside registers: parameters that messages read and write, and fields of responses."""
 
 from __future__ import annotations
 

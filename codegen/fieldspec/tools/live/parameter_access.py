@@ -1,4 +1,4 @@
-"""Parameters, and values in answers, of a device without registers as values by name."""
+"""Parameters, and values in answers, as values by name."""
 
 from __future__ import annotations
 
@@ -35,17 +35,21 @@ if TYPE_CHECKING:
 class ParameterAccess(Access):
     """The values that the messages of a link read and write, by name. An item is a signal."""
 
-    what, heading = "value", "number"
+    what, rows_text = "value", "parameters"
 
     def __init__(self, layout: DeviceLayout, link: LinkLayout) -> None:
         self.layout, self.link = layout, link
         self._items = list(signals(layout, link))
 
+    def heading(self, value: SignalReading) -> str:
+        return "number"
+
     def number(self, value: SignalReading) -> int | None:
         numbered = value.signal.numbered
         return numbered.wire_number if numbered is not None else None
 
-    def number_text(self, number: int | None) -> str:
+    def number_text(self, value: SignalReading) -> str:
+        number = self.number(value)
         return "" if number is None else str(number)
 
     def dump_rows(self, items: Sequence[Signal], values: Sequence[SignalReading]) -> list[DumpRow]:

@@ -152,8 +152,11 @@ def _read_block(client: Client, block: Block) -> Iterator[Reading]:
         yield reading(client.layout, block.space, occupant, words[offset : offset + occupant.words])
 
 
-def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
-    """The words, or the bits as 0 and 1, from an address on. Raises NoAnswerError, RefusedError and CarrierError."""
+def read_words(client: Client, space: str, start: int, count: int, retries: int | None = None) -> list[int]:
+    """The words, or the bits as 0 and 1, from an address on. Raises NoAnswerError, RefusedError and CarrierError.
+
+    `retries` says how often a request is repeated where no answer comes; None stands for the number of the client.
+    """
     device, link = client.layout.device, client.frames.link
     message = message_for(device, link, "read", space, count) or message_for(device, link, "read", space, 1)
     access = message.single_access if message is not None else None
@@ -166,10 +169,10 @@ def read_words(client: Client, space: str, start: int, count: int) -> list[int]:
         return [
             word
             for address in starts
-            for word in read_words(client, space, address, min(limit, start + count - address))
+            for word in read_words(client, space, address, min(limit, start + count - address), retries)
         ]
     values = {access.start: start, **({access.count: count} if access.count else {})}
-    content = client.ask(message.name, values).values[access.values]
+    content = client.ask(message.name, values, retries).values[access.values]
     if client.layout.device.bit_access(message) is not None:
         bits = [int(content == access.set)] if access.set is not None else list(unpacked_bits(bytes(content)))
         if len(bits) < count:

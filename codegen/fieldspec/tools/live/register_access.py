@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 class RegisterAccess(Access):
     """The registers of a device. An item is what is at an address, with its space."""
 
-    what, heading = "register", "address"
+    what, rows_text = "register", "words"
 
     def __init__(self, layout: DeviceLayout) -> None:
         self.layout = layout
@@ -52,11 +52,14 @@ class RegisterAccess(Access):
         self._items = list(all_occupants(self._usual))
         self._shared = SharedWords(layout, self._items)
 
+    def heading(self, value: Reading) -> str:
+        return "address"
+
     def number(self, value: Reading) -> int:
         return value.occupant.address
 
-    def number_text(self, number: int | None) -> str:
-        return "" if number is None else f"0x{number:04X}"
+    def number_text(self, value: Reading) -> str:
+        return f"0x{value.occupant.address:04X}"
 
     def dump_rows(self, items: Sequence[Placed], values: Sequence[Reading]) -> list[DumpRow]:
         """A row for each word of values that were read, in the order of their addresses."""

@@ -8,7 +8,7 @@ from fieldspec.codec.explain.occupants import Occupant, count_of_occupant, eleme
 from fieldspec.codec.layout.bases import at_bases, moving_tables
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
-from fieldspec.codec.layout.read_plan import read_plan
+from fieldspec.codec.layout.read_plan import read_limit
 from fieldspec.codec.layout.record import FieldLayout, Orders
 from fieldspec.codec.layout.segments import SegmentsLayout, segments_of
 from fieldspec.codec.reference.parameters import stated_bytes, value_of_bytes, value_of_data
@@ -89,13 +89,12 @@ class ScanComparison:
 
 def scan_spaces(layout: DeviceLayout, link: LinkLayout) -> list[ScanSpace]:
     """Everything that messages of a link can read by an address or a number."""
-    device, plan = layout.device, read_plan(layout)
+    device = layout.device
     result = []
     for name in dict.fromkeys([*device.spaces, device.space_name("")]):
-        limit = plan.limit(name) or plan.limit("")
-        maximum = limit.words if limit is not None and limit.words is not None else 1
-        if message_for(device, link, "read", name, maximum) or message_for(device, link, "read", name, 1):
-            result.append(ScanSpace(name, 0x10000, maximum))
+        message = message_for(device, link, "read", name, 2) or message_for(device, link, "read", name, 1)
+        if message is not None:
+            result.append(ScanSpace(name, 0x10000, read_limit(device, message).words or 1))
     spaces: dict[str, ParameterSet] = {}
     for parameter_set in device.parameters.values():
         message_layout = parameter_message(link, parameter_set, "read")
@@ -137,19 +136,19 @@ def scan(client: Client, space: ScanSpace, ranges: Sequence[range], done: Callab
     """
     bases = known_bases(client, client.layout)
     items = list(scanned_items(at_bases(client.layout, bases), space))
-    known = [item.addresses.start for item in items if item.readable and not item.spared]
     spared = {address for item in items if item.spared for address in item.addresses}
-    words: dict[int, tuple[int, ...]] = {}
+    probe = _Probe(client, space, [item for item in items if item.readable and not item.spared])
     scanned: set[int] = set()
     for addresses in ranges:
         for run in _runs(addresses, spared):
             for start in range(run.start, run.stop, space.most):
                 part = range(start, min(start + space.most, run.stop))
                 scanned.update(part)
-                _scan_part(client, space, part, words, known)
+                probe.read(part)
                 if done is not None:
                     done(len(part))
-    return Scan(space, frozenset(scanned), words, frozenset(spared), bases)
+    probe.repeat()
+    return Scan(space, frozenset(scanned), probe.words, frozenset(spared), bases)
 
 
 def _runs(addresses: range, spared: set[int]) -> Iterator[range]:
@@ -163,46 +162,80 @@ def _runs(addresses: range, spared: set[int]) -> Iterator[range]:
         yield range(start, addresses.stop)
 
 
-def _scan_part(
-    client: Client, space: ScanSpace, part: range, words: dict[int, tuple[int, ...]], known: Sequence[int]
-) -> None:
-    """Reads a part, and divides it where the device refuses it, or is silent but answers another address."""
-    try:
-        words.update(_counts(client, space, part))
-        return
-    except RefusedError:
-        pass
-    except NoAnswerError:
-        if not _is_answering(client, space, [next(reversed(words))] if words else known[:2]):
-            raise
-    if len(part) > 1:
-        middle = part.start + len(part) // 2
-        _scan_part(client, space, range(part.start, middle), words, known)
-        _scan_part(client, space, range(middle, part.stop), words, known)
+class _Probe:
+    """Reads parts of a space, and divides those that the device refuses, or is silent at but answers another address.
 
+    At a device that is silent, each address that the spec lacks is a part, and is asked once as long as the line loses
+    no frames: whether it does, the device shows at the addresses at which it answers.
+    """
 
-def _is_answering(client: Client, space: ScanSpace, addresses: Sequence[int]) -> bool:
-    """Whether the device answers at one of some addresses, be it with a refusal. Raises CarrierError."""
-    for address in addresses:
+    def __init__(self, client: Client, space: ScanSpace, items: Sequence[ScannedItem]) -> None:
+        self.client, self.space = client, space
+        self.words: dict[int, tuple[int, ...]] = {}
+        self._first = [item.addresses.start for item in items][:2]
+        self._known = {address for item in items for address in item.addresses}
+        self._is_silent = self._loses_frames = False
+        self._asked_once: list[range] = []
+
+    def read(self, part: range) -> None:
+        """Reads a part. Raises NoAnswerError and CarrierError."""
+        is_unknown = self._is_silent and not self._loses_frames and self._known.isdisjoint(part)
         try:
-            _counts(client, space, range(address, address + 1))
+            self.words.update(_counts(self.client, self.space, part, 0 if is_unknown else None))
+            return
         except RefusedError:
-            return True
+            pass
         except NoAnswerError:
-            continue
-        return True
-    return False
+            if not self._is_answering():
+                raise
+            self._is_silent = True
+            if is_unknown and len(part) == 1:
+                self._asked_once.append(part)
+        for smaller in self._divided(part) if len(part) > 1 else ():
+            self.read(smaller)
+
+    def repeat(self) -> None:
+        """Asks again at what was asked once, where the line has lost a frame. Raises NoAnswerError and CarrierError."""
+        for part in self._asked_once if self._loses_frames else ():
+            self.read(part)
+
+    def _divided(self, part: range) -> list[range]:
+        """The addresses that the spec has in runs, and each other one, at a device that is silent; else two halves."""
+        middle = part.start + len(part) // 2
+        if not self._is_silent or self._known.issuperset(part):
+            return [range(part.start, middle), range(middle, part.stop)]
+        parts: list[range] = []
+        for address in part:
+            if parts and address in self._known and address - 1 in self._known:
+                parts[-1] = range(parts[-1].start, address + 1)
+            else:
+                parts.append(range(address, address + 1))
+        return parts
+
+    def _is_answering(self) -> bool:
+        """Whether the device answers at an address, be it with a refusal. Raises CarrierError."""
+        for address in [next(reversed(self.words))] if self.words else self._first:
+            for retries in (0, None):
+                try:
+                    _counts(self.client, self.space, range(address, address + 1), retries)
+                except NoAnswerError:
+                    self._loses_frames |= bool(self.words)
+                    continue
+                except RefusedError:
+                    pass
+                return True
+        return False
 
 
-def _counts(client: Client, space: ScanSpace, part: range) -> dict[int, tuple[int, ...]]:
+def _counts(client: Client, space: ScanSpace, part: range, retries: int | None) -> dict[int, tuple[int, ...]]:
     """The counts by address. Raises RefusedError, NoAnswerError and CarrierError."""
     if space.parameters is not None:
-        return {part.start: _parameter_counts(client, space.parameters, part.start)}
-    counts = read_words(client, space.name, part.start, len(part))
+        return {part.start: _parameter_counts(client, space.parameters, part.start, retries)}
+    counts = read_words(client, space.name, part.start, len(part), retries)
     return {address: (count,) for address, count in zip(part, counts, strict=True)}
 
 
-def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int) -> tuple[int, ...]:
+def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int, retries: int | None) -> tuple[int, ...]:
     """The counts of the parameter with a number. Raises RefusedError, NoAnswerError and CarrierError."""
     message = parameter_message(client.frames.link, parameter_set, "read")
     assert message is not None
@@ -216,7 +249,7 @@ def _parameter_counts(client: Client, parameter_set: ParameterSet, number: int) 
             values[amount.name] = 0
     carried = part_of(message.response, "value")
     assert carried is not None
-    answer = client.ask(message.name, values).values
+    answer = client.ask(message.name, values, retries).values
     pieces = segments_of(client.layout, message)
     if pieces is not None and pieces.follows(answer):
         return _count_in_pieces(client, pieces, parameter_set, values, number, answer)
