@@ -80,7 +80,7 @@ def _value(layout: DeviceLayout, value: Value | None) -> st.SearchStrategy[Any]:
         fitting = st.text(st.characters(min_codepoint=1, max_codepoint=0x7E), max_size=value.size)
         return st.one_of(fitting, fitting, st.text(max_size=value.size + 1))
     if is_octets(encoding):
-        fitting_bytes = st.binary(min_size=value.size, max_size=value.size)
+        fitting_bytes = st.binary(min_size=value.least_size, max_size=value.size)
         return st.one_of(fitting_bytes, fitting_bytes, fitting_bytes, st.binary(max_size=value.size + 1))
     if is_real(encoding):
         fitting_floats = [st.floats(a, b, width=32) for a, b in value.ranges.intervals] if value.ranges else []

@@ -21,7 +21,7 @@ LINE = codec(LAYOUT).links["module"]
 MODULE = link_of(module_of(LAYOUT), "module")
 HEADER = 6
 """The bytes before the data points."""
-BOOLEAN, NUMBER, STRING, ENUMERATION, BITMAP = range(1, 6)
+RAW, BOOLEAN, NUMBER, STRING, ENUMERATION, BITMAP = range(6)
 
 
 def frame_of(points: str) -> bytes:
@@ -46,6 +46,12 @@ PUBLISHED = {
         point(101, BOOLEAN, 1, False),
         point(102, ENUMERATION, 1, 0),
         point(103, ENUMERATION, 1, 0),
+    ],
+    "55 AA 01 07 00 0D 77 00 00 09 05 06 0E 08 00 0F 0B 1E 0F FC": [
+        point(119, RAW, 9, bytes.fromhex("05 06 0E 08 00 0F 0B 1E 0F")),
+    ],
+    "55 AA 03 07 00 15 66 00 00 11 B4 00 00 01 01 03 01 00 14 00 01 0A 00 4B 00 0A 03 C6": [
+        point(102, RAW, 17, bytes.fromhex("B4 00 00 01 01 03 01 00 14 00 01 0A 00 4B 00 0A 03")),
     ],
 }
 """Reports of devices, as users have written them down, with their data points."""
@@ -78,12 +84,28 @@ def test_a_text_has_as_many_bytes_as_the_count_says_and_is_written_with_its_coun
 
 
 @pytest.mark.parametrize(
+    "data", [b"", b"\0", b"\1", b"\1\0\0", b"\0" * 255], ids=["none", "zero", "one", "zeros_after_one", "most"]
+)
+def test_bytes_have_any_content_and_as_many_as_the_count_says(data: bytes) -> None:
+    frame = frame_of(f"07 00 {len(data):04X} {data.hex()} 05 05 00 01 80")
+    values = LINE.decode(frame, "response").values
+    message = MODULE.decode_response(frame).message
+    assert values["points"] == [point(7, RAW, len(data), data), point(5, BITMAP, 1, 128)]
+    assert [own.value for own in message.points] == [data, 128]
+    assert LINE.encode("response", "report_status", {**values, "version": 3}) == frame
+    assert MODULE.encode_response(message, version=3) == frame
+    assert verdicts(decoded(LAYOUT, [Sent(0, "response", frame)], Choices("module", ""))) == ["ok"]
+
+
+@pytest.mark.parametrize(
     ("points", "reason", "place"),
     [
         ("12 01 00 02 01 01", "wrong_measure", 2),
         ("12 02 00 01 01", "wrong_measure", 2),
         ("12 03 01 00" + "61" * 256, "wrong_measure", 2),
-        ("12 00 00 01 01", "unknown_value", 1),
+        ("12 06 00 01 01", "unknown_value", 1),
+        ("12 00 01 00" + "61" * 256, "wrong_measure", 2),
+        ("12 00 00 03 61 62", "incomplete", 6),
         ("12 03 00 03 61 62", "incomplete", 6),
         ("12 03 00 03 61 00 62", "unknown_value", 4),
         ("12 01 00 01 02", "unknown_value", 4),
@@ -101,9 +123,10 @@ def test_wrong_counts_types_and_texts_are_refused_alike(points: str, reason: str
     assert verdicts(decoded(LAYOUT, [Sent(0, "response", frame)], Choices("module", ""))) == [reason]
 
 
-def test_a_longer_text_is_not_written() -> None:
-    message: Any = MODULE.decode_response(frame_of("07 03 00 01 61")).message
-    message.points[0].value = "x" * 256
+@pytest.mark.parametrize(("kind", "value"), [(STRING, "x" * 256), (RAW, b"x" * 256)])
+def test_longer_texts_and_bytes_are_not_written(kind: int, value: str | bytes) -> None:
+    message: Any = MODULE.decode_response(frame_of(f"07 {kind:02X} 00 01 61")).message
+    message.points[0].value = value
     with pytest.raises(codec_error(), match="wrong_length"):
         MODULE.encode_response(message, version=3)
 

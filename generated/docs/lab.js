@@ -722,20 +722,25 @@ function elementsInImage({ element, most, more }, image, start) {
   return count;
 }
 
-function decidedBytes({ at, length, little, mask, sizes }, bytes) {
+function decidingNumber({ at, length, little, mask }, bytes) {
   let number = 0n;
   for (let place = 0; place < length; place++) {
     number = (number << 8n) | BigInt(bytes[at + (little ? length - 1 - place : place)]);
   }
-  return sizes[String(mask === undefined ? number : number & BigInt(mask))];
+  return String(mask === undefined ? number : number & BigInt(mask));
 }
+
+const decidedBytes = (decision, bytes) => decision.sizes[decidingNumber(decision, bytes)];
+
+const isMarked = (decision, bytes) => !!decision.marked?.includes(Number(decidingNumber(decision, bytes)));
 
 function decidedExtent(inner, list, fields, extents) {
   const size = decidedBytes(list.decision, fields);
   if (size === undefined) return { fault: { reason: "unknown_value", at: placeAround(inner, extents, list.decision.at) } };
   const number = list.sentPlus === undefined ? size : listNumber(list, fields) - list.sentPlus;
   if (number !== size && !(number >= 0 && number <= -size)) return { fault: numberFault(inner, extents, list) };
-  return { size: number, elements: [number], isText: size < 0 };
+  const hasMark = isMarked(list.decision, fields);
+  return { size: number, elements: [number], isText: size < 0 && !hasMark, hasMark };
 }
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
@@ -902,6 +907,7 @@ function imageOf({ fixed, lists }, data, extents) {
     if (list.packing) image.set(unpackedList(list, data.subarray(from, from + size), extents[number].numbers), list.room);
     else for (const [index, own] of (elements.length ? elements : [size]).entries()) {
       image.set(data.subarray(from, from + own), list.room + index * list.element);
+      if (extents[number].hasMark) image[list.room + own] = 1;
       from += own;
     }
     before += size;
@@ -943,7 +949,8 @@ function readAround(inner, read, bytes, offset, end) {
   }
 }
 
-function sizeWithoutZeros(image) {
+function sizeInRoom(image, hasMark) {
+  if (hasMark) return image.lastIndexOf(1);
   let size = image.length;
   while (size > 0 && image[size - 1] === 0) size--;
   return size;
@@ -953,7 +960,7 @@ function sentOfImage({ fixed, lists }, image, last) {
   const fields = image.slice(0, fixed);
   const lengths = lists.map((list) => {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
-    if (decided < 0) return sizeWithoutZeros(image.subarray(list.room, list.room - decided));
+    if (decided < 0) return sizeInRoom(image.subarray(list.room, list.room + list.element), isMarked(list.decision, image));
     if (decided !== undefined || list === lists.at(-1)) return decided ?? last;
     return countedBytes(list, image) * (list.more ? elementsInImage(list, image, list.room) : 1);
   });
@@ -1009,6 +1016,7 @@ function widenedBytes(field, bytes) {
   const { form, size, most, places = 0, hasSign = false } = field;
   let text = latinText(bytes);
   if (text.length > most) return null;
+  if (form === "bytes") return bytes;
   if (form === "text") return text.includes("\0") ? null : latinBytes(text.padEnd(size, "\0"));
   let sign = hasSign ? "+" : "";
   if (hasSign && (text[0] === "+" || text[0] === "-")) {

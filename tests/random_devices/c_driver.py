@@ -316,7 +316,8 @@ def _show_value(value: Value, place: str) -> str:
         case Text():
             return f'show((const uint8_t *){place}, strlen({place})); printf(";");'
         case Octets():
-            return f'show({place}, {value.size}); printf(";");'
+            arguments = f"{place}.data, {place}.count" if value.is_marked else f"{place}, {value.size}"
+            return f'show({arguments}); printf(";");'
         case Real():
             return f"{_show_real(encoding.precision)}({place});"
         case Whole() | Digits() if not is_signed(encoding):

@@ -52,12 +52,12 @@ def _cases(draft: Draft, enum: EnumDraft) -> list[Spec]:
 
 
 def choice_counter(draft: Draft, choice: Spec) -> Spec:
-    """The number of bytes of a field with several types, one of which is a text of varying length now and then."""
-    case = draft.pick(choice["choice"]["cases"])
-    if draft.chance(60):
+    """The number of bytes of a field with several types: now and then, texts or bytes of varying length."""
+    for case in choice["choice"]["cases"][: draft.number(0, 2)]:
         stated = {key: case[key] for key in ("name", "when", "source", "doc", "label") if key in case}
         case.clear()
-        case |= {**stated, **varying_text(draft)}
+        varying_bytes = {"type": "bytes", "length": draft.number(1, 9), "varies": True}
+        case |= {**stated, **(varying_bytes if draft.chance(50) else varying_text(draft))}
     plus = {"plus": draft.pick((1, 2, 5))} if draft.chance(25) else {}
     count = draft.fact(type=draft.pick(("u8", "u16")), measures={"bytes": choice["name"], **plus})
     if count["type"] == "u16" and draft.chance(25):

@@ -107,7 +107,7 @@ def number_or_text(layout: DeviceLayout, value: Value | None, dice: random.Rando
         characters = string.printable if value.text_form is None else _CHARACTERS[value.text_form.encoding]
         return "".join(dice.choice(characters) for _ in range(length))
     if is_octets(encoding):
-        return dice.randbytes(value.size)
+        return dice.randbytes(dice.randint(value.least_size, value.size))
     if is_truth(encoding):
         return dice.random() < 0.5
     if is_real(encoding):

@@ -57,14 +57,20 @@ export function elementsInImage({ element, most, more }, image, start) {
   return count;
 }
 
-/** The bytes of an element that another field decides; undefined where that decides nothing. */
-function decidedBytes({ at, length, little, mask, sizes }, bytes) {
+/** The number that decides an element, or its bits that do. */
+function decidingNumber({ at, length, little, mask }, bytes) {
   let number = 0n;
   for (let place = 0; place < length; place++) {
     number = (number << 8n) | BigInt(bytes[at + (little ? length - 1 - place : place)]);
   }
-  return sizes[String(mask === undefined ? number : number & BigInt(mask))];
+  return String(mask === undefined ? number : number & BigInt(mask));
 }
+
+/** The bytes of an element that another field decides; undefined where that decides nothing. */
+const decidedBytes = (decision, bytes) => decision.sizes[decidingNumber(decision, bytes)];
+
+/** Whether an element is bytes of varying length, which have a mark after them in the image. */
+const isMarked = (decision, bytes) => !!decision.marked?.includes(Number(decidingNumber(decision, bytes)));
 
 /** The sent bytes of an element that another field decides, which a number may count; why they are not known. */
 function decidedExtent(inner, list, fields, extents) {
@@ -72,7 +78,8 @@ function decidedExtent(inner, list, fields, extents) {
   if (size === undefined) return { fault: { reason: "unknown_value", at: placeAround(inner, extents, list.decision.at) } };
   const number = list.sentPlus === undefined ? size : listNumber(list, fields) - list.sentPlus;
   if (number !== size && !(number >= 0 && number <= -size)) return { fault: numberFault(inner, extents, list) };
-  return { size: number, elements: [number], isText: size < 0 };
+  const hasMark = isMarked(list.decision, fields);
+  return { size: number, elements: [number], isText: size < 0 && !hasMark, hasMark };
 }
 
 const isRight = ({ least, most, element }, size) => size >= least && size <= most && size % element === 0;
@@ -268,6 +275,7 @@ function imageOf({ fixed, lists }, data, extents) {
     if (list.packing) image.set(unpackedList(list, data.subarray(from, from + size), extents[number].numbers), list.room);
     else for (const [index, own] of (elements.length ? elements : [size]).entries()) {
       image.set(data.subarray(from, from + own), list.room + index * list.element);
+      if (extents[number].hasMark) image[list.room + own] = 1;
       from += own;
     }
     before += size;
@@ -311,8 +319,9 @@ export function readAround(inner, read, bytes, offset, end) {
   }
 }
 
-/** How many bytes a text has without the zeros after it. */
-function sizeWithoutZeros(image) {
+/** How many bytes come before the mark, or of a text before the zeros after it. */
+function sizeInRoom(image, hasMark) {
+  if (hasMark) return image.lastIndexOf(1);
   let size = image.length;
   while (size > 0 && image[size - 1] === 0) size--;
   return size;
@@ -323,7 +332,7 @@ export function sentOfImage({ fixed, lists }, image, last) {
   const fields = image.slice(0, fixed);
   const lengths = lists.map((list) => {
     const decided = list.decision && (decidedBytes(list.decision, image) ?? 0);
-    if (decided < 0) return sizeWithoutZeros(image.subarray(list.room, list.room - decided));
+    if (decided < 0) return sizeInRoom(image.subarray(list.room, list.room + list.element), isMarked(list.decision, image));
     if (decided !== undefined || list === lists.at(-1)) return decided ?? last;
     return countedBytes(list, image) * (list.more ? elementsInImage(list, image, list.room) : 1);
   });

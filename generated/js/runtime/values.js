@@ -112,13 +112,13 @@ export function putEncodedText(name, value, bytes, offset, size, form) {
   bytes.set(textBytes(form, size, value, form.little), offset);
 }
 
-/** Writes bytes. Throws CodecError for a wrong number of them. */
-export function putBytes(name, value, bytes, offset, size) {
+/** Writes `size` bytes, or from the `least` on. Throws CodecError for a wrong number of them. */
+export function putBytes(name, value, bytes, offset, size, least = size) {
   if (!(value instanceof Uint8Array)) {
     if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
     throw new CodecError("wrong_type", `${name} is a Uint8Array, not ${printed(value)}`);
   }
-  if (value.length !== size) throw new CodecError("wrong_length", `${name} has ${size} bytes, not ${value.length}`);
+  if (value.length < least || value.length > size) throw new CodecError("wrong_length", `${name} has ${size} bytes, not ${value.length}`);
   bytes.set(value, offset);
 }
 

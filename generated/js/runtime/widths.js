@@ -19,6 +19,7 @@ export function widenedBytes(field, bytes) {
   const { form, size, most, places = 0, hasSign = false } = field;
   let text = latinText(bytes);
   if (text.length > most) return null;
+  if (form === "bytes") return bytes;
   if (form === "text") return text.includes("\0") ? null : latinBytes(text.padEnd(size, "\0"));
   let sign = hasSign ? "+" : "";
   if (hasSign && (text[0] === "+" || text[0] === "-")) {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ._error import CodecError
 from ._typing import TYPE_CHECKING
+from ._values import MARK
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -13,29 +14,51 @@ class Decision:
     """The number that decides how many bytes an element has: the field `name`, `length` bytes at `at` in the image.
 
     Only its bits in the `mask` decide. A size below zero is that of a text, whose most bytes it is without the sign;
-    another number counts them.
+    another number counts them. For `marked` numbers these are bytes, which have a mark after them in the image.
     """
 
-    __slots__ = ("at", "length", "mask", "name", "order", "sizes")
+    __slots__ = ("at", "length", "marked", "mask", "name", "order", "sizes")
 
     def __init__(
-        self, name: str, at: int, length: int, order: Literal["big", "little"], sizes: dict[int, int], mask: int = -1
+        self,
+        name: str,
+        at: int,
+        length: int,
+        order: Literal["big", "little"],
+        sizes: dict[int, int],
+        mask: int = -1,
+        marked: tuple[int, ...] = (),
     ) -> None:
-        self.name, self.at, self.length, self.sizes, self.mask = name, at, length, sizes, mask
+        self.name, self.at, self.length, self.sizes, self.mask, self.marked = name, at, length, sizes, mask, marked
         self.order: Literal["big", "little"] = order
+
+    def number(self, fields: bytes) -> int:
+        """The bits that decide."""
+        return int.from_bytes(fields[self.at : self.at + self.length], self.order) & self.mask
 
     def size(self, fields: bytes, at: int) -> int:
         """The bytes of the element, refused with the place of a number that decides nothing."""
-        number = int.from_bytes(fields[self.at : self.at + self.length], self.order)
-        size = self.sizes.get(number & self.mask)
+        number = self.number(fields)
+        size = self.sizes.get(number)
         if size is None:
             raise CodecError("unknown_value", f"{self.name} is {number}, which chooses nothing that may follow", at)
         return size
 
+    def has_text(self, fields: bytes) -> bool:
+        """Whether the element is a text, whose bytes another number counts."""
+        number = self.number(fields)
+        return self.sizes[number] < 0 and number not in self.marked
+
+    def mark(self, fields: bytes) -> bytes:
+        """What follows the sent bytes of the element in the image, before zeros."""
+        return MARK if self.number(fields) in self.marked else b""
+
     def sent(self, image: bytes, element: bytes) -> bytes:
         """The sent bytes of the element, as an image decides them."""
         size = self.size(image, 0)
-        return element[:size] if size >= 0 else element[:-size].rstrip(b"\0")
+        if self.number(image) in self.marked:
+            return element[: element.rindex(MARK)]
+        return element[:size] if size >= 0 else element.rstrip(b"\0")
 
 
 class Packing:

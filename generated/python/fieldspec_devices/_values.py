@@ -304,6 +304,10 @@ class _Sequence(Value[T]):
         return self.decode(name, raw)
 
 
+MARK = b"\1"
+"""What follows bytes of varying length in an image, so that zeros may be their last ones."""
+
+
 class Text(_Sequence[str]):
     """ASCII characters, filled up with zeros. `length` is how many there may be."""
 
@@ -329,3 +333,18 @@ class Bytes(_Sequence[bytes]):
 
     def refused(self, name: str, value: Any) -> CodecError | None:
         return refused_bytes(name, value, self.length)
+
+
+class MarkedBytes(Bytes):
+    """Up to `length` bytes, in an image with a mark and zeros after them."""
+
+    __slots__ = ()
+
+    def of_raw(self, name: str, raw: bytes) -> bytes:
+        return raw[: raw.rindex(MARK)]
+
+    def to_raw(self, value: bytes) -> bytes:
+        return bytes(value) + MARK
+
+    def refused(self, name: str, value: Any) -> CodecError | None:
+        return refused_bytes(name, value, self.length, least=0)

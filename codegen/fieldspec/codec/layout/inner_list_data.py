@@ -37,5 +37,5 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
 
 def _decision_row(row: Decision) -> dict[str, Any]:
     is_little = {"little": True} if row.order == "little" else {}
-    mask = {"mask": row.mask} if row.mask is not None else {}
+    mask = ({"mask": row.mask} if row.mask is not None else {}) | ({"marked": sorted(row.marked)} if row.marked else {})
     return {"name": row.name, "at": row.offset, "length": row.size, **is_little, **mask, "sizes": dict(row.sizes)}

@@ -228,7 +228,9 @@ class InnerLists:
             start = inner.first + before
             fields += data[len(fields) + before : start]
             piece = data[start : start + extent.size]
-            if inner.parts is not None or inner.decision is not None:
+            if inner.decision is not None:
+                piece = inner.decision.image_of(fields, piece).ljust(inner.element, b"\0")
+            elif inner.parts is not None:
                 offset, pieces = 0, []
                 for size in extent.elements:
                     pieces.append(piece[offset : offset + size].ljust(inner.element, b"\0"))
@@ -255,7 +257,7 @@ class InnerLists:
             return None
         for inner, extent in zip(self.lists, extents, strict=True):
             start = inner.first + before
-            is_text = inner.decision is not None and (inner.decision.size_in(image) or 0) < 0
+            is_text = inner.decision is not None and inner.decision.has_text(image)
             if is_text and 0 in data[start : start + extent.size]:
                 return inner.name, start
             before += extent.size

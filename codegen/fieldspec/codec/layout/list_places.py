@@ -53,8 +53,10 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
 
 def _decision(field: FieldLayout, selector: FieldLayout, offset: int) -> Decision:
     """What decides the bytes of a field, by a selector that is at an offset in the image."""
-    sizes = {number: -form.size if form.varies else form.size for number, form in field.forms.items()}
-    return Decision(selector.name, offset, selector.size, selector.order, sizes, field.deciding_bits)
+    values = {number: form.value for number, form in field.forms.items() if form.value is not None}
+    sizes = {number: -value.width or value.size for number, value in values.items()}
+    marked = frozenset(number for number, value in values.items() if value.is_marked)
+    return Decision(selector.name, offset, selector.size, selector.order, sizes, field.deciding_bits, marked)
 
 
 def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:

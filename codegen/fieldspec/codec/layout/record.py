@@ -114,7 +114,7 @@ class FieldLayout:
         low, high = self.bounds
         if self.packing is not None:
             return self.packing.sent_size(low), self.packing.sent_size(high)
-        return low * self.least_size, high * self.size
+        return low * self.least_size, high * self.greatest_size
 
     @property
     def splits_record(self) -> bool:
@@ -127,6 +127,11 @@ class FieldLayout:
         if self.forms:
             return min(form.value.least_size for form in self.forms.values() if form.value is not None)
         return self.record.least if self.record is not None else self.size
+
+    @property
+    def greatest_size(self) -> int:
+        """The most bytes that are sent for an element."""
+        return max((form.value.size for form in self.forms.values() if form.value is not None), default=self.size)
 
     def form_in(self, image: bytes) -> FieldLayout | None:
         """The field as an image of its record decides it, None if that decides nothing."""

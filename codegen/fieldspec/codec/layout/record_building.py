@@ -28,7 +28,7 @@ def record_layout(
         return _fixed(record, records, orders, device)
     is_behind = any(_varies(field, records) for field in record.fields[:-1])
     is_inside = is_part or is_behind or last.choice.bits is not None
-    if last.choice.has_texts or (is_inside and not last.is_list):
+    if last.choice.has_widths or (is_inside and not last.is_list):
         return _fixed(record, records, orders, device)
     return _choosing(record, last, last.choice, records, orders, device)
 
@@ -117,7 +117,7 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders, 
     for field in (*remaining_fields, *lists) if is_inner else record.fields:
         nested = records[field.record] if field.record else None
         cases = _case_layouts(record, field.choice, orders, device) if field.choice is not None else ()
-        case_size = max((case.value.size for case in cases), default=0)
+        case_size = max((case.value.image_size for case in cases), default=0)
         size = field.value.size if field.value else (nested.most or 0) if nested else case_size
         count = None if field.repeat else field.count or 1
         order, swapped = orders.of(field.value)
@@ -165,7 +165,7 @@ def _with_forms(field: FieldLayout, before: list[FieldLayout]) -> FieldLayout:
     forms: dict[int, FieldLayout] = {}
     for case in field.cases:
         decided = replace(field.field, value=case.value, choice=None)
-        form = replace(field, field=decided, size=case.value.size, value=case.value, order=case.order, cases=())
+        form = replace(field, field=decided, size=case.value.image_size, value=case.value, order=case.order, cases=())
         forms |= dict.fromkeys(sorted(case.numbers), replace(form, swapped=case.swapped))
     return replace(field, forms=forms, selector=next(other for other in before if other.name == choice.by))
 

@@ -151,7 +151,9 @@ def place_in_data(spans: tuple[Span, ...], fields: list[Extent], offset: int) ->
 
 
 def widened(value: Value, piece: bytes) -> bytes | None:
-    """The bytes in the image of a value that varies in width; None for bytes that are not valid."""
+    """The bytes of a value that varies in width as an image has them, without a mark; None for invalid ones."""
+    if value.is_marked:
+        return piece
     if not value.digits:
         return None if len(piece) > value.size or 0 in piece else piece.ljust(value.size, b"\0")
     sign, text = b"", piece
@@ -192,7 +194,7 @@ def span_data(span: Span) -> dict[str, str | int | bool]:
     value = span.value
     if value is None:
         return data
-    data |= {"most": value.width, "form": value.digits or "text"}
+    data |= {"most": value.width, "form": value.digits or ("bytes" if value.is_marked else "text")}
     data |= {"places": value.places} if value.places else {}
     data |= {"hasSign": True} if has_sign(value) else {}
     if span.count is not None:

@@ -319,7 +319,7 @@ def encoded_value(name: str, value: Value | None, raw_value: Any, device: Device
         case Text():
             return _encoded_text(name, value, raw_value)
         case Octets():
-            return _bytes(name, raw_value, range(value.size, value.size + 1))
+            return _bytes(name, raw_value, range(value.least_size, value.size + 1))
         case Real():
             if not isinstance(raw_value, int | float):
                 raise CodecError("wrong_type", f"{name} is a number, not {spec_text(raw_value)}")

@@ -7,6 +7,7 @@ from typing import Any
 
 import construct
 
+from fieldspec.codec.layout.decision import MARK
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.reference.digits import digits_of_number, number_of_digits
 from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes
@@ -103,6 +104,8 @@ def value_construct(value: Value | None, order: str, swapped: bool) -> construct
     suffix = "b" if (order == "big") != swapped else "l"
     size, encoding = value.size, value.encoding
     match encoding:
+        case Octets() if value.is_marked:
+            return _Marked(construct.Bytes(value.image_size))
         case Text() | Octets():
             return construct.Bytes(size)
         case Digits():
@@ -162,6 +165,16 @@ class _Digits(construct.Adapter):  # type: ignore[misc]
     def _turned(self, data: bytes) -> bytes:
         data = data[::-1] if self.is_reversed else data
         return _words_turned(data) if self.swapped else data
+
+
+class _Marked(construct.Adapter):  # type: ignore[misc]
+    """Bytes of varying length, with a mark after them."""
+
+    def _decode(self, data: bytes, context: Any, path: str) -> bytes:
+        return data[: data.rindex(MARK)]
+
+    def _encode(self, data: bytes, context: Any, path: str) -> bytes:
+        return (data + MARK).ljust(self.subcon.length, b"\0")
 
 
 class _Text(construct.Adapter):  # type: ignore[misc]

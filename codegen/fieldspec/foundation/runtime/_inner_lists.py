@@ -262,7 +262,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             if at + sent > stop:
                 raise self._incomplete(len(data))
             if inner.decision is not None:
-                if inner.decision.size(fields, 0) < 0 and 0 in data[at : at + sent]:
+                if inner.decision.has_text(fields) and 0 in data[at : at + sent]:
                     zero_at = at if zero_at is None else zero_at
                 numbers.append(1)
             elif inner.parts is not None:
@@ -279,6 +279,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
                 piece = data[inner.first + before : inner.first + before + own]
                 is_filled = inner.parts is not None or inner.decision is not None
                 piece = inner.packing.unpacked(piece, numbers[-1]) if inner.packing is not None else piece
+                piece = piece if inner.decision is None else piece + inner.decision.mark(fields)
                 lists += piece.ljust(inner.size, b"\0") if is_filled else piece
                 before += own
         if zero_at is not None:

@@ -131,11 +131,11 @@ def refused_text(name: str, value: Any, size: int) -> CodecError | None:
     return None
 
 
-def refused_bytes(name: str, value: Any, size: int) -> CodecError | None:
-    """Exactly `size` bytes."""
+def refused_bytes(name: str, value: Any, size: int, least: int | None = None) -> CodecError | None:
+    """Exactly `size` bytes, or from the `least` on."""
     if not isinstance(value, (bytes, bytearray)):
         return CodecError("wrong_type", f"{name} is bytes, not {value!r}")
-    if len(value) != size:
+    if not (size if least is None else least) <= len(value) <= size:
         return CodecError("wrong_length", f"{name} has {size} bytes, not {len(value)}")
     return None
 

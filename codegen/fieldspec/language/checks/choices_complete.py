@@ -67,8 +67,8 @@ def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool)
         help = "list it last in a message in which all else has a fixed size, or remove `repeat`"
         labels = [label(varying.place, "name", "has no fixed size")] if varying is not None else []
         yield finding(_CODE, field.place, "repeat", text, help, *labels)
-    has_texts = field.choice is not None and field.choice.has_texts
-    is_moved = has_texts or (has_bits and not field.is_list)
+    has_widths = field.choice is not None and field.choice.has_widths
+    is_moved = has_widths or (has_bits and not field.is_list)
     if field is layer.fields[-1] and not is_part and varying is None and not is_moved:
         return
     for other in other_fields:

@@ -51,7 +51,7 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
             differs = is_element or field.choice is not None
             if field is not layer.fields[-1] and (differs or field.repeat is not None):
                 yield from _followed(sizes, layer, field, id(layer) in bodies)
-            elif not is_element and not is_packed and not (field.choice and field.choice.has_texts):
+            elif not is_element and not is_packed and not (field.choice and field.choice.has_widths):
                 continue
             yield from _at_the_end(layer, field, bodies.get(id(layer)), layer.name in refusing)
 

@@ -3,7 +3,7 @@ ends with the message or before a constant of one byte that it cannot have. One 
 text's number of bytes: an unsigned whole number of one or two bytes whose range includes every length of the text. A
 message with a value that varies in width has no list of free length, no record of varying size, no choice, and no other
 field that measures that value. Measured texts can also be fields of a record within messages and other records, if the
-other fields of that record have a fixed size, and cases of a choice.
+other fields of that record have a fixed size. Counted texts and `bytes` can be cases of a choice.
 
 Why: the constant after such a value marks its end. If the value could contain that constant, the next value would be
 read as a part of it.
@@ -28,7 +28,7 @@ from fieldspec.language.model.digits import digits_letters, has_sign
 from fieldspec.language.model.encoding import is_array, is_signed, is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import merged
-from fieldspec.language.model.record import Field, Message, Record, choice_count, text_count
+from fieldspec.language.model.record import Case, Field, Message, Record, choice_count, text_count
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.text_form import PACKED_ASCII, UTF_16
 from fieldspec.language.model.value import Value
@@ -48,7 +48,7 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
         for field in layer.fields
         if field.choice is not None and choice_count(layer, field) is not None
         for case in field.choice.cases
-        if is_text(case.value.encoding)
+        if is_array(case.value.encoding)
     }
     mixed = dict(pair for record in device.records.values() for pair in _beside_texts(sizes, record))
     for fact, value in values(device):
@@ -66,7 +66,8 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
             yield finding(_CODE, fact.place, "varies", text, help, label(other.place, "name", "has no fixed size"))
             continue
         is_in_place = id(fact) in messages or id(fact) in parts or id(fact) in cases
-        problem = _form(value) or ("" if id(fact) in cases else _place(fact, is_in_place))
+        is_case = id(fact) in cases
+        problem = "" if is_case and value.is_marked else _form(value) or ("" if is_case else _place(fact, is_in_place))
         if problem:
             yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", _cure(fact, value, is_in_place))
     for message in device.messages.values():
@@ -102,7 +103,7 @@ def _form(value: Value) -> str:
             return "varies in width, and has no UTF-16, packed ASCII, byte order, padding or terminator of its own"
         return ""
     if not value.has_characters:
-        return "varies in width, which only characters do: a text, and decimal and hexadecimal digits"
+        return "varies in width, which only characters and counted `bytes` of a choice do"
     if is_signed(value.encoding) and not has_sign(value):
         return "is a signed hexadecimal number, whose sign is in its first digit"
     return ""
@@ -111,7 +112,7 @@ def _form(value: Value) -> str:
 def _cure(fact: Fact, value: Value, is_in_place: bool) -> str:
     """What to write for a value of one width; `is_in_place` says that it could vary where it stands."""
     form = value.text_form
-    if not is_in_place and is_text(value.encoding):
+    if (is_text(value.encoding) and not is_in_place) or (isinstance(fact, Case) and value.is_marked):
         return "remove it; or put a `u8` or `u16` before it that `measures` its bytes, and the record in a message"
     if not is_text(value.encoding) and not value.has_characters:
         is_list = is_array(value.encoding) and isinstance(fact, Field)

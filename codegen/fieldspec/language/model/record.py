@@ -72,8 +72,8 @@ class Choice:
         return self.by if self.bits is None else f"bits {self.bits[0]}..{self.bits[1]} of {self.by}"
 
     @property
-    def has_texts(self) -> bool:
-        """Whether one of the types is a text that varies in length, whose bytes another field counts."""
+    def has_widths(self) -> bool:
+        """Whether one of the types is a text, or bytes, that vary in length, which another field counts."""
         return any(case.value.width for case in self.cases)
 
     def enum_of(self, selector: Field | None, words: Mapping[str, Flags]) -> str:

@@ -7,7 +7,7 @@ from decimal import Context, Decimal
 from fieldspec.foundation.classes import TYPE_CHECKING, attributes, dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.digits import NO_CHARACTERS, digit_bounds
-from fieldspec.language.model.encoding import Digits, Encoding, Octets, Real, Text, Truth, Whole, sign_of
+from fieldspec.language.model.encoding import Digits, Encoding, Octets, Real, Text, Truth, Whole, is_octets, sign_of
 from fieldspec.language.model.fact import Citation, Fact
 from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
@@ -128,6 +128,7 @@ class Value:
     `unit` then begins with that power of ten. `text_form` is how a text is sent, None for ASCII that is padded with
     zeros. `width` is the most bytes of a value that varies in width, else
     it is 0; `size` is then that of the image that codecs work on, with leading zeros and a sign, or zeros after a text.
+    The image of bytes has a mark of one byte more.
     `has_blanks` says that decimal digits have blanks in place of leading zeros, and a sign below zero only.
     `write_word_order` is empty where a write has the words in the order of a read. A number of a packed
     list has `packed_bits` on the wire, fewer than its type; it is 0 for all others.
@@ -247,6 +248,16 @@ class Value:
     def least_size(self) -> int:
         """The fewest bytes of the value."""
         return self.least_width if self.width else self.size
+
+    @property
+    def is_marked(self) -> bool:
+        """Whether a mark follows its bytes in an image: bytes that vary in width may have any content."""
+        return bool(self.width) and is_octets(self.type.encoding)
+
+    @property
+    def image_size(self) -> int:
+        """Its bytes in the image of a record, with the mark."""
+        return self.size + self.is_marked
 
     @property
     def has_order(self) -> bool:

@@ -26,6 +26,7 @@ from fieldspec.targets.c.machine import of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.sample_values import RecordForm, form_of_values
 from fieldspec.targets.c.statements import Assignment, Evaluation, Expectation, Statement, assign, call
+from fieldspec.targets.c.values import COUNT, DATA
 
 LENGTH = Identifier("length")
 
@@ -112,6 +113,9 @@ def _elements(form: RecordForm, field: FieldLayout, struct: Expression, value: A
 def _set_element(naming: Naming, field: FieldLayout, target: Expression, item: Any) -> list[Statement]:
     encoding = field.primitive.encoding
     match encoding:
+        case Octets() if field.value is not None and field.value.is_marked:
+            count = assign(Member(target, COUNT), unsigned(len(item)))
+            return [count, call("copy", Member(target, DATA), byte_string(item), unsigned(len(item)))]
         case Text() | Octets():
             data = _data(item)
             return [call("copy", target, byte_string(data), unsigned(len(data)))] if data else []
@@ -128,6 +132,9 @@ def _expect_member(
 ) -> list[Statement]:
     encoding = field.primitive.encoding
     match encoding:
+        case Octets() if field.value is not None and field.value.is_marked:
+            count = expect_equal(f"{description} count", Member(target, COUNT), unsigned(len(item)))
+            return [count, expect_bytes(description, Member(target, DATA), item)]
         case Text() | Octets():
             data = _data(item)
             return [expect_bytes(description, target, data)] if data else []

@@ -6,7 +6,7 @@ from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.list_places import inner_lists_of
 from fieldspec.codec.layout.record import CaseLayout, RecordLayout
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, Source, comment
-from fieldspec.targets.c.expressions import INPUT_BYTES, SIZE_TYPE, Identifier, Operation
+from fieldspec.targets.c.expressions import INPUT_BYTES, SIZE_TYPE, Identifier, add
 from fieldspec.targets.c.fields import deciding, decoded_selector, select, words_around_images
 from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
@@ -125,13 +125,13 @@ def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:
     for field in record.fields:
         if field.selector is None:
             continue
-        cases: dict[tuple[int, bool], list[CaseLayout]] = {}
+        cases: dict[tuple[int, str], list[CaseLayout]] = {}
         for case in field.cases:
-            cases.setdefault((case.value.size, case.value.width > 0), []).append(case)
-        text_of = Identifier(naming.own_macro("text_of"))
+            kind = "bytes_of" if case.value.is_marked else "text_of" if case.value.width else ""
+            cases.setdefault((case.value.size, kind), []).append(case)
         branches = [
-            (own, (Return(Operation("+", (text_of, unsigned(size))) if is_text else unsigned(size)),))
-            for (size, is_text), own in cases.items()
+            (own, (Return(add(Identifier(naming.own_macro(kind)), unsigned(size)) if kind else unsigned(size)),))
+            for (size, kind), own in cases.items()
         ]
         number = deciding(field, decoded_selector(naming, field.selector))
         unknown = (Return(Identifier("SIZE_MAX")),)

@@ -7,6 +7,7 @@ from typing import Any
 
 from fieldspec.codec.layout.bit_counts import fitting_bit_count
 from fieldspec.codec.layout.bits import packed_size
+from fieldspec.codec.layout.decision import MARK
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.presence import masked
 from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
@@ -360,6 +361,8 @@ def _measured_size(record: RecordLayout, field: FieldLayout, values: dict[str, A
 
 def _element_bytes(field: FieldLayout, item: Any) -> bytes:
     assert field.value is not None
+    if field.value.is_marked:
+        return (bytes(item) + MARK).ljust(field.size, b"\0")
     if isinstance(item, bytes):  # also the zeros of a reserved text
         return _filled(field.value, item)
     return value_bytes(field.value, field.order, field.swapped, item)

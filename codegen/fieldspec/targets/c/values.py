@@ -47,9 +47,11 @@ from fieldspec.targets.c.expressions import (
     Expression,
     Identifier,
     Literal,
+    Member,
     Type,
     dereference,
     different,
+    greater,
     negate,
 )
 from fieldspec.targets.c.literals import decimal, unsigned
@@ -61,6 +63,8 @@ from fieldspec.targets.c.statements import Assignment, Body, Evaluation, Return,
 if TYPE_CHECKING:
     from fieldspec.codec.layout.accepted import Reason
 
+DATA, COUNT = "data", "count"
+"""The members of bytes of varying length."""
 _NUL = Literal("'\\0'")
 
 
@@ -105,7 +109,12 @@ def type_name(value: Value) -> str:
 
 
 def declare_value(wire: WireValue, name: str, count: int | None = None, const: bool = False) -> Variable:
-    """The member, parameter or variable that has a value, or `count` of them: `char name[count][33]`"""
+    """The member, parameter or variable that has a value, or `count` of them: `char name[count][33]`
+
+    Bytes of varying length have a struct: `struct { uint8_t data[64]; size_t count; } name`
+    """
+    if wire.value.is_marked:
+        return Variable(Type(f"struct {{ {type_name(wire.value)} {DATA}[{wire.size}]; size_t {COUNT}; }}"), name)
     dimensions = (decimal(count),) if count is not None else ()
     return Variable(Type(type_name(wire.value), const=const), name, (*dimensions, *_own_dimensions(wire)))
 
@@ -187,6 +196,11 @@ def load_value(naming: Naming, wire: WireValue, source: Expression, target: Expr
                 return (load_text(naming, wire.value, wire.order, source, target),)
             end = Assignment(Element(target, decimal(encoding.size)), _NUL)
             return copy_bytes(naming, target, source, size), end
+        case Octets() if wire.value.is_marked:
+            load_marked = Call(
+                naming.own("load_marked"), (Member(target, DATA), source, unsigned(wire.value.image_size))
+            )
+            return (Assignment(Member(target, COUNT), load_marked),)
         case Octets():
             return (copy_bytes(naming, target, source, size),)
         case Whole() | Real() | Truth() | Digits():
@@ -288,6 +302,10 @@ def store_value(naming: Naming, wire: WireValue, source: Expression, target: Exp
             if encoding.form is not None:
                 return (store_text(naming, wire.value, wire.order, source, target),)
             return (call(naming.own("put_text"), target, source, size),)
+        case Octets() if wire.value.is_marked:
+            data, count = Member(source, DATA), Member(source, COUNT)
+            refusal = refuse(naming, greater(count, size), "err_wrong_length")
+            return (*refusal, call(naming.own("store_marked"), target, data, count, unsigned(wire.value.image_size)))
         case Octets():
             return (copy_bytes(naming, target, source, size),)
         case Digits():

@@ -232,6 +232,9 @@ class Slot:
                     return Reading((), f"textOf({name}, b, {position}, {self.size})", throws=True)
                 call = f"encodedTextOf({name}, b, {position}, {encoding.size}, {self._text_form(encoding.form)})"
                 return Reading((), call, throws=True)
+            case Octets() if self.value.is_marked:
+                mark = f"b.lastIndexOf(1, {place(base, offset + self.size - 1)})"
+                return Reading((), f"b.slice({position}, {mark})")
             case Octets():
                 return Reading((), f"b.slice({position}, {place(base, offset + self.size)})")
             case Real():
@@ -269,6 +272,9 @@ class Slot:
                     return [f"putText({name}, {variable}, b, {position}, {self.size});"]
                 form = self._text_form(encoding.form)
                 return [f"putEncodedText({name}, {variable}, b, {position}, {encoding.size}, {form});"]
+            case Octets() if self.value.is_marked:
+                put = f"putBytes({name}, {variable}, b, {position}, {self.value.size}, 0);"
+                return [put, f"b[{position} + {variable}.length] = 1;"]
             case Octets():
                 return [f"putBytes({name}, {variable}, b, {position}, {self.size});"]
             case Truth():

@@ -86,7 +86,7 @@ _SHARED = {
     "_registers": "Register RegisterArray Table find only replies spans unreachable writable",
     "_subcodes": "Answers Subcodes",
     "_texts": "FormedText text_form",
-    "_values": "Boolean Bytes Closed Constant Number Open Setting Text Trigger Word",
+    "_values": "Boolean Bytes Closed Constant MarkedBytes Number Open Setting Text Trigger Word",
     "_widths": "Widths",
 }
 _CLIENT = {

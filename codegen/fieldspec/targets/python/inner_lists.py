@@ -63,7 +63,8 @@ def _decision(decision: Decision) -> str:
     """`_Decision("kind", 0, 1, "big", {1: 2})`: what decides the size of the only element."""
     place = f"{decision.offset}, {decision.size}, {literal(decision.order)}"
     mask = f", {decision.mask}" if decision.mask is not None else ""
-    return f"_Decision({literal(decision.name)}, {place}, {dict(decision.sizes)}{mask})"
+    marked = f", marked={tuple_of(map(str, sorted(decision.marked)))}" if decision.marked else ""
+    return f"_Decision({literal(decision.name)}, {place}, {dict(decision.sizes)}{mask}{marked})"
 
 
 def _parts(parts: InnerLists) -> str:

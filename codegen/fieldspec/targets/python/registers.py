@@ -71,7 +71,7 @@ def _value(value: Value, order: str, swapped: bool, words: Words, any_answer: bo
                 return f'_FormedText("{value.size}s", {value.size}, {literal(text_letters(value, order))})'
             return f'_Text("{value.size}s", {value.size})'
         case Octets():
-            return f'_Bytes("{value.size}s", {value.size})'
+            return f'{"_MarkedBytes" if value.is_marked else "_Bytes"}("{value.image_size}s", {value.size})'
         case Truth():
             return _call("_Boolean", literal(letters), arguments)
         case Real():

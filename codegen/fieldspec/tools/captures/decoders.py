@@ -7,6 +7,7 @@ import numpy.typing as npt
 
 from fieldspec.codec.explain.values import number_of as number_of_bytes
 from fieldspec.codec.layout.accepted import accepted
+from fieldspec.codec.layout.decision import MARK
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
@@ -239,12 +240,13 @@ class Decoder:
 
     def _characters(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:
         result = ValueColumns.empty(len(offsets))
-        table = buffer[np.minimum(offsets[:, None] + np.arange(self.value.size), len(buffer) - 1)]
+        table = buffer[np.minimum(offsets[:, None] + np.arange(self.value.image_size), len(buffer) - 1)]
         for row, data in enumerate(table):
             result.text[row], result.verdict[row] = self._character_text(data.tobytes())
         return result
 
     def _character_text(self, data: bytes) -> tuple[int, int]:
+        data = data[: data.rindex(MARK)] if self.value.is_marked else data
         has_no_text = is_octets(self.encoding) or self.reserved
         text = None if has_no_text else decoded_text(self.value, self.order, data)
         if text is None:

@@ -81,7 +81,8 @@ def _slots_of_cases(
     for case in field.cases:
         form = field.forms[min(case.numbers)]
         numbers = ((start, field, case.numbers),)
-        text = replace(own, plus=own.sent_plus or 0) if form.varies else None
+        is_text = form.varies and form.value is not None and not form.value.is_marked
+        text = replace(own, plus=own.sent_plus or 0) if is_text else None
         yield Slot(path, start + form.offset, form, outer or field, text=text, numbers=numbers)
 
 

@@ -153,6 +153,9 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
                 image[list->room + rest] = 0u;
             }
             device_copy_bytes(image + list->room, in + from, size);
+            if (list->decided_size != NULL && list->decided_size(image) >= DEVICE_BYTES_OF) {
+                image[list->room + size] = 1u;
+            }
             if (list->decided_size != NULL && device_decides_text(list, image) && device_text_bytes(in + from, size) != size) {
                 result = DEVICE_ERR_UNKNOWN_VALUE;
             }
@@ -180,7 +183,9 @@ static inline size_t device_place_list(const device_inner_list *list, const uint
     size_t from, to = 0;
     if (list->decided_size != NULL && list->follows == NULL) {
         size = list->decided_size(fields);
-        size = size < DEVICE_TEXT_OF ? size : device_text_bytes(image, size - DEVICE_TEXT_OF);
+        size = size < DEVICE_TEXT_OF ? size
+                : size < DEVICE_BYTES_OF ? device_text_bytes(image, size & DEVICE_MOST_OF)
+                : device_marked_bytes(image, (size & DEVICE_MOST_OF) + 1u);
     }
     if (list->bits != 0u) {
         if (out != NULL) {

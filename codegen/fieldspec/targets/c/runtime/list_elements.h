@@ -6,8 +6,10 @@
  */
 typedef size_t (*device_element_size)(const uint8_t *in, size_t left);
 
-/** In a number of bytes: they are those of a text at most, which a number in the record counts. */
+/** In a number of bytes: they are those of a text at most, or of bytes, which a number in the record counts. */
 #define DEVICE_TEXT_OF ((size_t)1 << (8u * sizeof(size_t) - 1u))
+#define DEVICE_BYTES_OF (DEVICE_TEXT_OF + DEVICE_TEXT_OF / 2u)
+#define DEVICE_MOST_OF (DEVICE_TEXT_OF / 2u - 1u)
 
 /** The bytes of a field whose type another one decides, as an image says; SIZE_MAX where that decides nothing. */
 typedef size_t (*device_decided_size)(const uint8_t *in);
@@ -81,7 +83,8 @@ static inline size_t device_measured_bytes(const device_inner_list *list, const 
 /** Whether the type that another field decides is a text, whose bytes a number counts. */
 static inline bool device_decides_text(const device_inner_list *list, const uint8_t *fields)
 {
-    return list->decided_size(fields) >= DEVICE_TEXT_OF;
+    size_t size = list->decided_size(fields);
+    return size >= DEVICE_TEXT_OF && size < DEVICE_BYTES_OF;
 }
 
 /** The sent bytes of a field whose type another one decides, as sent fields say. */
@@ -95,7 +98,7 @@ static inline device_codec_status device_take_decided(const device_inner_list *l
     if (!list->counts_sent) {
         return DEVICE_OK;
     }
-    if (device_decides_text(list, fields) ? measured > *size - DEVICE_TEXT_OF : measured != *size) {
+    if (*size >= DEVICE_TEXT_OF ? measured > (*size & DEVICE_MOST_OF) : measured != *size) {
         return DEVICE_ERR_WRONG_MEASURE;
     }
     *size = measured;
@@ -144,6 +147,33 @@ static inline void device_copy_bytes(uint8_t *to, const uint8_t *from, size_t si
     size_t at;
     for (at = 0; at < size; at++) {
         to[at] = from[at];
+    }
+}
+
+/** The bytes before the mark of bytes of varying length, which zeros follow. */
+static inline size_t device_marked_bytes(const uint8_t *image, size_t size)
+{
+    while (size > 0u && image[size - 1u] == 0u) {
+        size--;
+    }
+    return size == 0u ? 0u : size - 1u;
+}
+
+/** Reads bytes of varying length from `size` bytes of an image; the number of them. */
+static inline size_t device_load_marked(uint8_t *data, const uint8_t *image, size_t size)
+{
+    size_t count = device_marked_bytes(image, size);
+    device_copy_bytes(data, image, count);
+    return count;
+}
+
+/** Writes bytes of varying length with the mark into `size` bytes of an image. */
+static inline void device_store_marked(uint8_t *image, const uint8_t *data, size_t count, size_t size)
+{
+    size_t at;
+    device_copy_bytes(image, data, count);
+    for (at = count; at < size; at++) {
+        image[at] = at == count ? 1u : 0u;
     }
 }
 
