@@ -18,8 +18,6 @@ from fieldspec.language.reading.memory import FileRead
 from fieldspec.language.reading.nodes import Mapping
 from fieldspec.language.reading.yaml_reader import parsed
 
-pytestmark = pytest.mark.asyncio
-
 GIZMO = "gizmo/device.yaml"
 ROW = "      - {at: 0, name: speed, type: i16, unit: rpm, access: ro, source: L10}\n"
 SECOND = ROW.replace("at: 0", "at: 77").replace("speed", "other")

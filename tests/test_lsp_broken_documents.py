@@ -16,7 +16,6 @@ from proofs import IS_WHOLE
 CUTS = 40 if IS_WHOLE else 15
 
 
-@pytest.mark.asyncio
 @pytest.mark.proof
 async def test_every_request_on_a_document_that_is_cut_has_an_answer(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]

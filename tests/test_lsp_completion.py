@@ -178,7 +178,6 @@ TYPED = {
 }
 
 
-@pytest.mark.asyncio
 @pytest.mark.parametrize("ends", ["\n", "\r\n"], ids=["LF", "CRLF"])
 async def test_a_word_is_completed_where_it_is_typed(tmp_path: Path, ends: str) -> None:
     specs = copied(tmp_path, "gizmo")
@@ -197,7 +196,6 @@ async def test_a_word_is_completed_where_it_is_typed(tmp_path: Path, ends: str) 
             assert (edit.range.start, edit.range.end) == (types.Position(end.line, end.character - typed), end), case
 
 
-@pytest.mark.asyncio
 async def test_addresses_that_are_offered_are_free_and_the_next_one_is_the_first(tmp_path: Path) -> None:
     specs = copied(tmp_path, "gizmo")
     async with editor(specs) as session:
@@ -213,7 +211,6 @@ async def test_addresses_that_are_offered_are_free_and_the_next_one_is_the_first
         assert "addresses_disjoint" in {finding.code for finding in taken}, address
 
 
-@pytest.mark.asyncio
 async def test_a_key_is_described_as_the_manual_of_the_language_has_it(tmp_path: Path) -> None:
     specs = copied(tmp_path, "gizmo")
     async with editor(specs) as session:
@@ -228,7 +225,6 @@ async def test_a_key_is_described_as_the_manual_of_the_language_has_it(tmp_path:
     assert "at" not in items  # it is there already
 
 
-@pytest.mark.asyncio
 async def test_steps_and_examples_are_offered_members_and_special_values(tmp_path: Path) -> None:
     edited = project("tests/specs")
     file = edited.memory.files["widget/examples.yaml"].file

@@ -20,7 +20,6 @@ PLACES = 12
 
 
 @pytest.mark.proof(1)
-@pytest.mark.asyncio
 @pytest.mark.parametrize("device", DEVICES)
 async def test_each_request_has_an_answer_on_a_device_and_no_finding_is_left(
     tmp_path: Path, device: str, capfd: pytest.CaptureFixture[str]

@@ -10,8 +10,6 @@ import pytest
 from editing import copied, editor, editor_of_the_verb, expected_places, fresh
 from proofs import IS_WHOLE
 
-pytestmark = pytest.mark.asyncio
-
 GIZMO, WIDGET = "gizmo/device.yaml", "widget/device.yaml"
 ROW = "      - {at: 0, name: speed, type: i16, unit: rpm, access: ro, source: L10}\n"
 ANCHORED = """      - &speed {at: 0, name: speed, type: i16, unit: rpm, access: ro, source: L10}

@@ -20,8 +20,6 @@ from fieldspec.language.reading.yaml_reader import key_spans, parsed
 from fieldspec.language.schema.manual import pages
 from layouts import newest
 
-pytestmark = pytest.mark.asyncio
-
 ROOT = Path(__file__).parent.parent
 DEVICES = ("gizmo", "glider-x", "weigher")
 

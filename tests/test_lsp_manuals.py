@@ -10,8 +10,6 @@ from lsprotocol import types
 
 from editing import Editor, copied, editor, numbers, place_of
 
-pytestmark = pytest.mark.asyncio
-
 GIZMO = "gizmo/device.yaml"
 ROW = "{at: 0, name: speed, type: i16, unit: rpm, access: ro, source: L10}"
 TEXT = "".join(f"line {number}: 速度 ``` [x](http://example.com)\n" for number in range(1, 100))

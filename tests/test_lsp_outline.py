@@ -6,14 +6,11 @@ import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-import pytest
 from lsprotocol import types
 
 from editing import copied, editor, numbers
 
 NAME = "glider-x/device.yaml"
-
-pytestmark = pytest.mark.asyncio
 
 
 def paths(symbols: Sequence[types.DocumentSymbol], before: str = "") -> Iterator[tuple[str, types.DocumentSymbol]]:

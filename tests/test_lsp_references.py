@@ -68,7 +68,6 @@ USES = {
 }
 
 
-@pytest.mark.asyncio
 @pytest.mark.parametrize("kind", USES)
 async def test_a_fact_is_found_from_where_it_is_used_and_its_uses_from_it(tmp_path: Path, kind: str) -> None:
     specs = copied(tmp_path, "glider-x")
@@ -85,7 +84,6 @@ async def test_a_fact_is_found_from_where_it_is_used_and_its_uses_from_it(tmp_pa
             assert await defined(session, GLIDER, position) == at
 
 
-@pytest.mark.asyncio
 async def test_a_path_leads_to_the_fact_of_the_step_under_the_pointer_also_from_overlays_to_protocols(
     tmp_path: Path,
 ) -> None:
@@ -153,7 +151,6 @@ LEADS = {
 }
 
 
-@pytest.mark.asyncio
 async def test_names_in_tasks_behaviour_and_examples_lead_to_what_they_mean_and_are_uses_of_it(tmp_path: Path) -> None:
     specs = copied(tmp_path, "esc11")
     async with editor(specs) as session:
@@ -167,7 +164,6 @@ async def test_names_in_tasks_behaviour_and_examples_lead_to_what_they_mean_and_
                 assert place in uses, kind
 
 
-@pytest.mark.asyncio
 async def test_an_address_that_copies_of_registers_begin_at_is_no_name_of_them(tmp_path: Path) -> None:
     name = "ck10/registers-parameters.yaml"
     async with editor(copied(tmp_path, "ck10")) as session:
@@ -226,7 +222,6 @@ RENAMED = (
 
 
 @pytest.mark.proof(2)
-@pytest.mark.asyncio
 @pytest.mark.parametrize(("device", "path", "new_name"), RENAMED, ids=lambda part: part)
 async def test_a_rename_changes_no_frame_and_in_the_outputs_the_name_alone(
     tmp_path: Path, device: str, path: str, new_name: str
@@ -277,7 +272,6 @@ def respelled(text: str, old: str, new: str) -> str:
     return text.replace(camel, other_camel).replace(lower, other_lower)
 
 
-@pytest.mark.asyncio
 async def test_a_rename_that_breaks_something_is_refused_with_the_reason(tmp_path: Path) -> None:
     specs = copied(tmp_path, "glider-x", "wattmeter")
     async with editor(specs) as session:

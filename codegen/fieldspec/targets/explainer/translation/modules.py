@@ -62,6 +62,7 @@ def _imported(tree: ast.Module) -> Iterator[str]:
             yield from (alias.name for alias in node.names if alias.name not in (*FUNCTIONS, "replace"))
 
 
+@cache
 def translated(module: str) -> str:
     """The text of a module of `codec/explain` in JavaScript. Raises Untranslatable."""
     tree = _names().modules[module]

@@ -6,6 +6,7 @@ import ast
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from functools import cache
 
 from fieldspec.targets.explainer.translation.expressions import Expressions
 from fieldspec.targets.explainer.translation.names import Untranslatable, camel, is_data_class
@@ -249,10 +250,12 @@ def _star(node: ast.FunctionDef) -> str:
 
 def _own_nodes(body: Sequence[ast.AST]) -> Iterator[ast.AST]:
     """The nodes of a function, without nodes of inner functions."""
-    for node in body:
+    waiting = [*reversed(body)]
+    while waiting:
+        node = waiting.pop()
         yield node
         if not isinstance(node, ast.FunctionDef | ast.Lambda):
-            yield from _own_nodes(list(ast.iter_child_nodes(node)))
+            waiting += [*ast.iter_child_nodes(node)][::-1]
 
 
 def _stored(body: Sequence[ast.AST]) -> Iterator[str]:
@@ -265,8 +268,9 @@ def _stored(body: Sequence[ast.AST]) -> Iterator[str]:
             yield node.id
 
 
-def _names(node: ast.AST) -> set[str]:
-    return {inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)}
+@cache
+def _names(node: ast.AST) -> frozenset[str]:
+    return frozenset(inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name))
 
 
 def _is_declared_inline(name: str, body: Sequence[ast.stmt]) -> bool:
