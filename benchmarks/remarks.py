@@ -71,9 +71,8 @@ INLINED = (
     "inlined, its nine checks together take 4 %."
 )
 WRITES = (
-    "The simulated device decodes each new frame by the reference codec, which takes a third of the time, and "
-    "evaluates the rules of its behaviour after each write. The peer only stores a number. Only repeated frames are "
-    "cached."
+    "The simulated device evaluates the rules of its behaviour after each write, and checks the registers and the "
+    "value, which takes a third of the time. The peer only stores a number."
 )
 
 REMARKS = {

@@ -46,8 +46,8 @@ def checked_read(record: RecordLayout, name: str, names: Names) -> list[str]:
 
 def _size_check(name: str, shape: RecordLayout) -> str:
     """The statement that refuses data of a wrong size."""
-    most = LONGEST if shape.most is None else min(shape.most, LONGEST)
-    return f"checkSize({literal(name)}, {shape.least}, {most}, o, end);"
+    limit = LONGEST if shape.most is None else min(shape.most, LONGEST)
+    return f"checkSize({literal(name)}, {shape.least}, {limit}, o, end);"
 
 
 def choices_of(record: RecordLayout, name: str) -> list[str]:
