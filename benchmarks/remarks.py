@@ -61,25 +61,25 @@ CLASSES = (
 )
 SHIFTS = (
     "The peer reuses DataViews, which programs can seldom do, because frames seldom share a buffer. Creating a "
-    "DataView takes six times as long as decoding the frame. The generated code therefore uses shifts. Compared with "
-    "hand-written shifts, its ratio is 1.05."
+    "DataView takes six times as long as decoding the frame. The generated code therefore reads single bytes, and V8 "
+    "checks the bounds for 22 bytes, but for only 9 numbers of a DataView. This takes 1.3 times as long, even in "
+    "hand-written code; the generated code takes no longer than hand-written shifts."
 )
 INLINED = (
-    "V8 inlines functions of up to 460 bytes of bytecode, and 920 bytes together. The function that writes has 770 "
-    "bytes, because it contains nine checks and their errors. Three shorter forms, with functions for checks and "
-    "stores or with one condition for all checks, are inlined only in a program that does nothing else."
+    "Counting the keys, so that unknown ones are refused, takes a fifth of the peer's time. V8 inlines functions of up "
+    "to 460 bytes of bytecode; the function that writes has 700 bytes, and its call takes a further quarter. If it is "
+    "inlined, its nine checks together take 4 %."
 )
 WRITES = (
-    "The simulated device decodes each new frame by the reference codec, which takes a third of the time, and "
-    "evaluates the rules of its behaviour after each write. The peer only stores a number. Only repeated frames are "
-    "cached."
+    "The simulated device evaluates the rules of its behaviour after each write, and checks the registers and the "
+    "value, which takes a third of the time. The peer only stores a number."
 )
 
 REMARKS = {
     ("Modbus RTU over TCP", "simulated device, each time another position written, requests a second"): WRITES,
     ("JavaScript", "decode telegram 111, nine fields read"): SHIFTS,
     ("JavaScript", "encode telegram 111, all values checked"): INLINED,
-    ("JavaScript", "write telegram 111 into bytes, all values checked"): INLINED,
+    ("JavaScript", "decode telegram 111, value kept"): SHIFTS,
     ("build --watch", "10,000 registers: Python and C after a changed label"): LARGE_SAVE,
     ("build --watch", "51 versions of 200 registers: after one line in the base"): MANY_VERSIONS,
     ("Python, Modbus request", "build and parse"): TURNS,

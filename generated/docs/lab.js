@@ -158,9 +158,8 @@ function wrongNumber(reason, name, number, expected, offset) {
   return new CodecError(reason, `${name} is ${number}, ${expected}`, offset);
 }
 
-function refusedNumber(name, value, low, high, allowed) {
-  const wrong = wrongType(name, value, typeof low === "bigint");
-  return wrong ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
+function refusedNumber(name, value, allowed, wide) {
+  return wrongType(name, value, wide) ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
 }
 
 function refusedBits(name, bits, allowed) {

@@ -12,7 +12,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from javascript import module_path
+from javascript import module_path, package
 
 from external_tools import require_tool
 from fieldspec.codec.reference.records import CodecError, encoded
@@ -59,3 +59,24 @@ def test_a_record_has_the_bytes_or_the_reason_of_the_reference(name: str) -> Non
     command = [require_tool("node"), "--input-type=module", "-e", PROGRAM, module_path(LAYOUT), json.dumps(values)]
     run = subprocess.run(command, capture_output=True, text=True, check=True)
     assert run.stdout.strip() == expected(VALUES[name])
+
+
+LONG = """
+const { record } = await import(process.argv[1]);
+const size = (value) => value.size;
+const codec = record({ name: "log", least: 0, most: 2 ** 31, write: () => 0, size, keys: { size: 0 }, units: {} });
+try {
+  console.log(codec.encode({ size: Number(process.argv[2]) }).length);
+} catch (error) {
+  console.log(`${error.reason}: ${error.detail}`);
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("size", "printed"), [(9, "9"), (2**30, "wrong_length: log has 1073741824 bytes, which are too many")]
+)
+def test_a_record_is_as_long_as_the_offsets_of_its_functions_reach(size: int, printed: str) -> None:
+    module = str(package() / "runtime" / "record.js")
+    command = [require_tool("node"), "--input-type=module", "-e", LONG, module, str(size)]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip() == printed

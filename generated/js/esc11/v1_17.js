@@ -158,14 +158,14 @@ function readAlarmHistoryEntry(b, o) {
 }
 function writeAlarmHistoryEntry(value, b, o) {
   const hours_ = value.hours;
-  if (!((hours_ & 65535) === hours_)) throw refusedNumber("hours", hours_, 0, 65535, "0..65535");
+  if (!((hours_ & 65535) === hours_)) throw refusedNumber("hours", hours_, "0..65535");
   b[o] = hours_;
   b[o + 1] = hours_ >>> 8;
   const minutes_ = value.minutes;
-  if (!((minutes_ & 255) === minutes_ && minutes_ <= 60)) throw refusedNumber("minutes", minutes_, 0, 255, "0..60");
+  if (!((minutes_ & 255) === minutes_ && minutes_ <= 60)) throw refusedNumber("minutes", minutes_, "0..60");
   b[o + 2] = minutes_;
   const alarmCode_ = value.alarmCode;
-  if (!((alarmCode_ & 255) === alarmCode_)) throw refusedNumber("alarm_code", alarmCode_, 0, 255, "0..255");
+  if (!((alarmCode_ & 255) === alarmCode_)) throw refusedNumber("alarm_code", alarmCode_, "0..255");
   b[o + 3] = alarmCode_;
 }
 function checkAlarmHistoryEntry(b, o, end) {
@@ -185,6 +185,7 @@ export const AlarmHistoryEntry = /* @__PURE__ */ record({
 });
 
 function readPoint(b, o) {
+  o &= 0x7fffffff;
   const mode_ = b[o + 1];
   if (!(mode_ === 65 || mode_ === 67 || (mode_ >= 71 && mode_ <= 75) || mode_ === 79)) throw wrongNumber("unknown_value", "mode", mode_, "which point_mode does not list", o + 1);
   return {
@@ -198,32 +199,33 @@ function readPoint(b, o) {
   };
 }
 function writePoint(value, b, o) {
+  o &= 0x7fffffff;
   const number_ = value.number;
-  if (!((number_ & 255) === number_ && number_ >= 1 && number_ <= 31)) throw refusedNumber("number", number_, 0, 255, "1..31");
+  if (!((number_ & 255) === number_ && number_ >= 1 && number_ <= 31)) throw refusedNumber("number", number_, "1..31");
   b[o] = number_;
   const mode_ = value.mode;
   if (!((mode_ & 255) === mode_ && (mode_ === 65 || mode_ === 67 || (mode_ >= 71 && mode_ <= 75) || mode_ === 79))) throw refusedMember("mode", mode_, "point_mode", false);
   b[o + 1] = mode_;
   const distance_ = value.distance;
-  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
   b[o + 2] = distance_;
   b[o + 3] = distance_ >>> 8;
   b[o + 4] = distance_ >>> 16;
   b[o + 5] = distance_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 6] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, 0, 255, "0..100");
+  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 7] = force_;
   const zoneLimit1_ = value.zoneLimit1;
-  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
   b[o + 8] = zoneLimit1_;
   b[o + 9] = zoneLimit1_ >>> 8;
   b[o + 10] = zoneLimit1_ >>> 16;
   b[o + 11] = zoneLimit1_ >>> 24;
   const zoneLimit2_ = value.zoneLimit2;
-  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
   b[o + 12] = zoneLimit2_;
   b[o + 13] = zoneLimit2_ >>> 8;
   b[o + 14] = zoneLimit2_ >>> 16;
@@ -246,6 +248,7 @@ export const Point = /* @__PURE__ */ record({
 });
 
 function readTemporaryPoint(b, o) {
+  o &= 0x7fffffff;
   const number_ = b[o];
   if (number_ !== 0) throw wrongNumber("wrong_const", "number", number_, "not 0", o);
   const mode_ = b[o + 1];
@@ -260,29 +263,30 @@ function readTemporaryPoint(b, o) {
   };
 }
 function writeTemporaryPoint(value, b, o) {
+  o &= 0x7fffffff;
   const mode_ = value.mode;
   if (!((mode_ & 255) === mode_ && (mode_ === 65 || mode_ === 67 || (mode_ >= 71 && mode_ <= 75) || mode_ === 79))) throw refusedMember("mode", mode_, "point_mode", false);
   b[o + 1] = mode_;
   const distance_ = value.distance;
-  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
   b[o + 2] = distance_;
   b[o + 3] = distance_ >>> 8;
   b[o + 4] = distance_ >>> 16;
   b[o + 5] = distance_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 6] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, 0, 255, "0..100");
+  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 7] = force_;
   const zoneLimit1_ = value.zoneLimit1;
-  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
   b[o + 8] = zoneLimit1_;
   b[o + 9] = zoneLimit1_ >>> 8;
   b[o + 10] = zoneLimit1_ >>> 16;
   b[o + 11] = zoneLimit1_ >>> 24;
   const zoneLimit2_ = value.zoneLimit2;
-  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
   b[o + 12] = zoneLimit2_;
   b[o + 13] = zoneLimit2_ >>> 8;
   b[o + 14] = zoneLimit2_ >>> 16;
@@ -311,7 +315,7 @@ function readReadPointsRequest(b, o) {
 }
 function writeReadPointsRequest(value, b, o) {
   const firstPoint_ = value.firstPoint;
-  if (!((firstPoint_ & 255) === firstPoint_ && firstPoint_ >= 1 && firstPoint_ <= 31)) throw refusedNumber("first_point", firstPoint_, 0, 255, "1..31");
+  if (!((firstPoint_ & 255) === firstPoint_ && firstPoint_ >= 1 && firstPoint_ <= 31)) throw refusedNumber("first_point", firstPoint_, "1..31");
   b[o] = firstPoint_;
 }
 function checkReadPointsRequest(b, o, end) {
@@ -400,7 +404,7 @@ function writeReadParametersResponse(value, b, o) {
   checkList("parameters", value.parameters, 32, 32);
   for (let at = o, index = 0; index < value.parameters.length; index++, at += 2) {
     const item = value.parameters[index];
-    if (!((item & 65535) === item)) throw refusedNumber("parameters", item, 0, 65535, "0..65535");
+    if (!((item & 65535) === item)) throw refusedNumber("parameters", item, "0..65535");
     b[at] = item;
     b[at + 1] = item >>> 8;
   }
@@ -450,13 +454,13 @@ function readReadIoStatusResponse(b, o) {
 }
 function writeReadIoStatusResponse(value, b, o) {
   const inputs_ = value.inputs;
-  if (!((inputs_ & 255) === inputs_)) throw refusedNumber("inputs", inputs_, 0, 255, "0..255");
+  if (!((inputs_ & 255) === inputs_)) throw refusedNumber("inputs", inputs_, "0..255");
   b[o] = inputs_;
   const outputs_ = value.outputs;
-  if (!((outputs_ & 255) === outputs_)) throw refusedNumber("outputs", outputs_, 0, 255, "0..255");
+  if (!((outputs_ & 255) === outputs_)) throw refusedNumber("outputs", outputs_, "0..255");
   b[o + 1] = outputs_;
   const stateOutputs_ = value.stateOutputs;
-  if (!((stateOutputs_ & 255) === stateOutputs_)) throw refusedNumber("state_outputs", stateOutputs_, 0, 255, "0..255");
+  if (!((stateOutputs_ & 255) === stateOutputs_)) throw refusedNumber("state_outputs", stateOutputs_, "0..255");
   b[o + 2] = stateOutputs_;
 }
 function checkReadIoStatusResponse(b, o, end) {
@@ -603,7 +607,7 @@ function writeWriteParametersRequest(value, b, o) {
   checkList("parameters", value.parameters, 32, 32);
   for (let at = o, index = 0; index < value.parameters.length; index++, at += 2) {
     const item = value.parameters[index];
-    if (!((item & 65535) === item)) throw refusedNumber("parameters", item, 0, 65535, "0..65535");
+    if (!((item & 65535) === item)) throw refusedNumber("parameters", item, "0..65535");
     b[at] = item;
     b[at + 1] = item >>> 8;
   }
@@ -652,10 +656,10 @@ function readWriteParameterRequest(b, o) {
 }
 function writeWriteParameterRequest(value, b, o) {
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 255) === parameterNumber_ && parameterNumber_ <= 31)) throw refusedNumber("parameter_number", parameterNumber_, 0, 255, "0..31");
+  if (!((parameterNumber_ & 255) === parameterNumber_ && parameterNumber_ <= 31)) throw refusedNumber("parameter_number", parameterNumber_, "0..31");
   b[o] = parameterNumber_;
   const value_ = value.value;
-  if (!((value_ & 65535) === value_)) throw refusedNumber("value", value_, 0, 65535, "0..65535");
+  if (!((value_ & 65535) === value_)) throw refusedNumber("value", value_, "0..65535");
   b[o + 1] = value_;
   b[o + 2] = value_ >>> 8;
 }
@@ -750,10 +754,10 @@ function readClearPointsRequest(b, o) {
 }
 function writeClearPointsRequest(value, b, o) {
   const firstPoint_ = value.firstPoint;
-  if (!((firstPoint_ & 255) === firstPoint_ && firstPoint_ >= 1 && firstPoint_ <= 31)) throw refusedNumber("first_point", firstPoint_, 0, 255, "1..31");
+  if (!((firstPoint_ & 255) === firstPoint_ && firstPoint_ >= 1 && firstPoint_ <= 31)) throw refusedNumber("first_point", firstPoint_, "1..31");
   b[o] = firstPoint_;
   const pointCount_ = value.pointCount;
-  if (!((pointCount_ & 255) === pointCount_ && pointCount_ >= 1 && pointCount_ <= 31)) throw refusedNumber("point_count", pointCount_, 0, 255, "1..31");
+  if (!((pointCount_ & 255) === pointCount_ && pointCount_ >= 1 && pointCount_ <= 31)) throw refusedNumber("point_count", pointCount_, "1..31");
   b[o + 1] = pointCount_;
 }
 function checkClearPointsRequest(b, o, end) {
@@ -840,7 +844,7 @@ function readInitializeParametersRequest(b, o) {
 }
 function writeInitializeParametersRequest(value, b, o) {
   const actuatorType_ = value.actuatorType;
-  if (!((actuatorType_ & 65535) === actuatorType_)) throw refusedNumber("actuator_type", actuatorType_, 0, 65535, "0..65535");
+  if (!((actuatorType_ & 65535) === actuatorType_)) throw refusedNumber("actuator_type", actuatorType_, "0..65535");
   b[o] = actuatorType_;
   b[o + 1] = actuatorType_ >>> 8;
 }
@@ -1049,13 +1053,13 @@ function readMovePositiveDistanceRequest(b, o) {
 }
 function writeMovePositiveDistanceRequest(value, b, o) {
   const distance_ = value.distance;
-  if (!((distance_ & 255) === distance_ && distance_ >= 1)) throw refusedNumber("distance", distance_, 0, 255, "1..255");
+  if (!((distance_ & 255) === distance_ && distance_ >= 1)) throw refusedNumber("distance", distance_, "1..255");
   b[o] = distance_;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "1..100");
+  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
   b[o + 1] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, 0, 255, "0..100");
+  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 2] = force_;
 }
 function checkMovePositiveDistanceRequest(b, o, end) {
@@ -1104,13 +1108,13 @@ function readMoveNegativeDistanceRequest(b, o) {
 }
 function writeMoveNegativeDistanceRequest(value, b, o) {
   const distance_ = value.distance;
-  if (!((distance_ & 255) === distance_ && distance_ >= 1)) throw refusedNumber("distance", distance_, 0, 255, "1..255");
+  if (!((distance_ & 255) === distance_ && distance_ >= 1)) throw refusedNumber("distance", distance_, "1..255");
   b[o] = distance_;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "1..100");
+  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
   b[o + 1] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, 0, 255, "0..100");
+  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 2] = force_;
 }
 function checkMoveNegativeDistanceRequest(b, o, end) {
@@ -1157,7 +1161,7 @@ function readMoveOpenRequest(b, o) {
 }
 function writeMoveOpenRequest(value, b, o) {
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "1..100");
+  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
   b[o] = speed_;
 }
 function checkMoveOpenRequest(b, o, end) {
@@ -1204,7 +1208,7 @@ function readMoveCloseRequest(b, o) {
 }
 function writeMoveCloseRequest(value, b, o) {
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "1..100");
+  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
   b[o] = speed_;
 }
 function checkMoveCloseRequest(b, o, end) {
@@ -1245,20 +1249,22 @@ export const MoveCloseResponse = /* @__PURE__ */ record({
 export const MoveClose = /* @__PURE__ */ message("move_close", 0x15, MoveCloseRequest, MoveCloseResponse);
 
 function readMoveRelativeRequest(b, o) {
+  o &= 0x7fffffff;
   return {
     distance: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     speed: b[o + 4],
   };
 }
 function writeMoveRelativeRequest(value, b, o) {
+  o &= 0x7fffffff;
   const distance_ = value.distance;
-  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
   b[o] = distance_;
   b[o + 1] = distance_ >>> 8;
   b[o + 2] = distance_ >>> 16;
   b[o + 3] = distance_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 4] = speed_;
 }
 function checkMoveRelativeRequest(b, o, end) {
@@ -1299,20 +1305,22 @@ export const MoveRelativeResponse = /* @__PURE__ */ record({
 export const MoveRelative = /* @__PURE__ */ message("move_relative", 0x16, MoveRelativeRequest, MoveRelativeResponse);
 
 function readMoveAbsoluteRequest(b, o) {
+  o &= 0x7fffffff;
   return {
     position: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     speed: b[o + 4],
   };
 }
 function writeMoveAbsoluteRequest(value, b, o) {
+  o &= 0x7fffffff;
   const position_ = value.position;
-  if (!((position_ | 0) === position_ && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((position_ | 0) === position_ && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, "-134217727..134217727");
   b[o] = position_;
   b[o + 1] = position_ >>> 8;
   b[o + 2] = position_ >>> 16;
   b[o + 3] = position_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 4] = speed_;
 }
 function checkMoveAbsoluteRequest(b, o, end) {
@@ -1360,10 +1368,10 @@ function readMoveToPointRequest(b, o) {
 }
 function writeMoveToPointRequest(value, b, o) {
   const pointNumber_ = value.pointNumber;
-  if (!((pointNumber_ & 255) === pointNumber_ && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, 0, 255, "1..31");
+  if (!((pointNumber_ & 255) === pointNumber_ && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, "1..31");
   b[o] = pointNumber_;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 1] = speed_;
 }
 function checkMoveToPointRequest(b, o, end) {
@@ -1411,10 +1419,10 @@ function readGripOpenRequest(b, o) {
 }
 function writeGripOpenRequest(value, b, o) {
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, 0, 255, "0..100");
+  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 1] = force_;
 }
 function checkGripOpenRequest(b, o, end) {
@@ -1462,10 +1470,10 @@ function readGripCloseRequest(b, o) {
 }
 function writeGripCloseRequest(value, b, o) {
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, 0, 255, "0..100");
+  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 1] = force_;
 }
 function checkGripCloseRequest(b, o, end) {
@@ -1506,6 +1514,7 @@ export const GripCloseResponse = /* @__PURE__ */ record({
 export const GripClose = /* @__PURE__ */ message("grip_close", 0x21, GripCloseRequest, GripCloseResponse);
 
 function readGripRelativeRequest(b, o) {
+  o &= 0x7fffffff;
   return {
     distance: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     speed: b[o + 4],
@@ -1513,17 +1522,18 @@ function readGripRelativeRequest(b, o) {
   };
 }
 function writeGripRelativeRequest(value, b, o) {
+  o &= 0x7fffffff;
   const distance_ = value.distance;
-  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
   b[o] = distance_;
   b[o + 1] = distance_ >>> 8;
   b[o + 2] = distance_ >>> 16;
   b[o + 3] = distance_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 4] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, 0, 255, "0..100");
+  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 5] = force_;
 }
 function checkGripRelativeRequest(b, o, end) {
@@ -1564,6 +1574,7 @@ export const GripRelativeResponse = /* @__PURE__ */ record({
 export const GripRelative = /* @__PURE__ */ message("grip_relative", 0x22, GripRelativeRequest, GripRelativeResponse);
 
 function readGripAbsoluteRequest(b, o) {
+  o &= 0x7fffffff;
   return {
     position: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     speed: b[o + 4],
@@ -1571,17 +1582,18 @@ function readGripAbsoluteRequest(b, o) {
   };
 }
 function writeGripAbsoluteRequest(value, b, o) {
+  o &= 0x7fffffff;
   const position_ = value.position;
-  if (!((position_ | 0) === position_ && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((position_ | 0) === position_ && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, "-134217727..134217727");
   b[o] = position_;
   b[o + 1] = position_ >>> 8;
   b[o + 2] = position_ >>> 16;
   b[o + 3] = position_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 4] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, 0, 255, "0..100");
+  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 5] = force_;
 }
 function checkGripAbsoluteRequest(b, o, end) {
@@ -1622,6 +1634,7 @@ export const GripAbsoluteResponse = /* @__PURE__ */ record({
 export const GripAbsolute = /* @__PURE__ */ message("grip_absolute", 0x23, GripAbsoluteRequest, GripAbsoluteResponse);
 
 function readGripOpenWithZoneRequest(b, o) {
+  o &= 0x7fffffff;
   return {
     zoneLimit1: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     zoneLimit2: ((b[o + 7] << 24) | (b[o + 6] << 16) | (b[o + 5] << 8) | b[o + 4]),
@@ -1630,23 +1643,24 @@ function readGripOpenWithZoneRequest(b, o) {
   };
 }
 function writeGripOpenWithZoneRequest(value, b, o) {
+  o &= 0x7fffffff;
   const zoneLimit1_ = value.zoneLimit1;
-  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
   b[o] = zoneLimit1_;
   b[o + 1] = zoneLimit1_ >>> 8;
   b[o + 2] = zoneLimit1_ >>> 16;
   b[o + 3] = zoneLimit1_ >>> 24;
   const zoneLimit2_ = value.zoneLimit2;
-  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
   b[o + 4] = zoneLimit2_;
   b[o + 5] = zoneLimit2_ >>> 8;
   b[o + 6] = zoneLimit2_ >>> 16;
   b[o + 7] = zoneLimit2_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 8] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, 0, 255, "0..100");
+  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 9] = force_;
 }
 function checkGripOpenWithZoneRequest(b, o, end) {
@@ -1687,6 +1701,7 @@ export const GripOpenWithZoneResponse = /* @__PURE__ */ record({
 export const GripOpenWithZone = /* @__PURE__ */ message("grip_open_with_zone", 0x24, GripOpenWithZoneRequest, GripOpenWithZoneResponse);
 
 function readGripCloseWithZoneRequest(b, o) {
+  o &= 0x7fffffff;
   return {
     zoneLimit1: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     zoneLimit2: ((b[o + 7] << 24) | (b[o + 6] << 16) | (b[o + 5] << 8) | b[o + 4]),
@@ -1695,23 +1710,24 @@ function readGripCloseWithZoneRequest(b, o) {
   };
 }
 function writeGripCloseWithZoneRequest(value, b, o) {
+  o &= 0x7fffffff;
   const zoneLimit1_ = value.zoneLimit1;
-  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
   b[o] = zoneLimit1_;
   b[o + 1] = zoneLimit1_ >>> 8;
   b[o + 2] = zoneLimit1_ >>> 16;
   b[o + 3] = zoneLimit1_ >>> 24;
   const zoneLimit2_ = value.zoneLimit2;
-  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
   b[o + 4] = zoneLimit2_;
   b[o + 5] = zoneLimit2_ >>> 8;
   b[o + 6] = zoneLimit2_ >>> 16;
   b[o + 7] = zoneLimit2_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, 0, 255, "0..100");
+  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 8] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, 0, 255, "0..100");
+  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 9] = force_;
 }
 function checkGripCloseWithZoneRequest(b, o, end) {
@@ -1910,7 +1926,7 @@ function readReadCurrentPositionResponse(b, o) {
 }
 function writeReadCurrentPositionResponse(value, b, o) {
   const position_ = value.position;
-  if (!((position_ | 0) === position_ && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, -2147483648, 2147483647, "-134217727..134217727");
+  if (!((position_ | 0) === position_ && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, "-134217727..134217727");
   b[o] = position_;
   b[o + 1] = position_ >>> 8;
   b[o + 2] = position_ >>> 16;
@@ -1960,7 +1976,7 @@ function readReadCurrentPointNumberResponse(b, o) {
 }
 function writeReadCurrentPointNumberResponse(value, b, o) {
   const pointNumber_ = value.pointNumber;
-  if (!((pointNumber_ & 255) === pointNumber_ && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, 0, 255, "1..31");
+  if (!((pointNumber_ & 255) === pointNumber_ && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, "1..31");
   b[o] = pointNumber_;
 }
 function checkReadCurrentPointNumberResponse(b, o, end) {
@@ -1988,7 +2004,7 @@ function readReadParameterRequest(b, o) {
 }
 function writeReadParameterRequest(value, b, o) {
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 255) === parameterNumber_ && parameterNumber_ <= 31)) throw refusedNumber("parameter_number", parameterNumber_, 0, 255, "0..31");
+  if (!((parameterNumber_ & 255) === parameterNumber_ && parameterNumber_ <= 31)) throw refusedNumber("parameter_number", parameterNumber_, "0..31");
   b[o] = parameterNumber_;
 }
 function checkReadParameterRequest(b, o, end) {
@@ -2014,7 +2030,7 @@ function readReadParameterResponse(b, o) {
 }
 function writeReadParameterResponse(value, b, o) {
   const value_ = value.value;
-  if (!((value_ & 65535) === value_)) throw refusedNumber("value", value_, 0, 65535, "0..65535");
+  if (!((value_ & 65535) === value_)) throw refusedNumber("value", value_, "0..65535");
   b[o] = value_;
   b[o + 1] = value_ >>> 8;
 }
@@ -2042,7 +2058,7 @@ function readReadPointRequest(b, o) {
 }
 function writeReadPointRequest(value, b, o) {
   const pointNumber_ = value.pointNumber;
-  if (!((pointNumber_ & 255) === pointNumber_ && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, 0, 255, "1..31");
+  if (!((pointNumber_ & 255) === pointNumber_ && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, "1..31");
   b[o] = pointNumber_;
 }
 function checkReadPointRequest(b, o, end) {
@@ -2208,7 +2224,7 @@ function readReadAlarmCodeResponse(b, o) {
 }
 function writeReadAlarmCodeResponse(value, b, o) {
   const alarmCode_ = value.alarmCode;
-  if (!((alarmCode_ & 255) === alarmCode_)) throw refusedNumber("alarm_code", alarmCode_, 0, 255, "0..255");
+  if (!((alarmCode_ & 255) === alarmCode_)) throw refusedNumber("alarm_code", alarmCode_, "0..255");
   b[o] = alarmCode_;
 }
 function checkReadAlarmCodeResponse(b, o, end) {
@@ -2255,11 +2271,11 @@ function readReadAccumulatedTimeResponse(b, o) {
 }
 function writeReadAccumulatedTimeResponse(value, b, o) {
   const hours_ = value.hours;
-  if (!((hours_ & 65535) === hours_)) throw refusedNumber("hours", hours_, 0, 65535, "0..65535");
+  if (!((hours_ & 65535) === hours_)) throw refusedNumber("hours", hours_, "0..65535");
   b[o] = hours_;
   b[o + 1] = hours_ >>> 8;
   const minutes_ = value.minutes;
-  if (!((minutes_ & 255) === minutes_ && minutes_ <= 60)) throw refusedNumber("minutes", minutes_, 0, 255, "0..60");
+  if (!((minutes_ & 255) === minutes_ && minutes_ <= 60)) throw refusedNumber("minutes", minutes_, "0..60");
   b[o + 2] = minutes_;
 }
 function checkReadAccumulatedTimeResponse(b, o, end) {
@@ -2365,36 +2381,36 @@ export const serialRequestFramer = () => lengthFramer({ ...framesOfSerial, parts
 export const serialResponseFramer = () => lengthFramer({ ...framesOfSerial, parts: framesOfSerial.response, shortest: 4, longest: 244, address: { offset: 1, size: 1, order: "little", signed: false, unitSize: 1, base: 0 }, addresses: new Set([0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]), length: { offset: 0, size: 1, order: "little", signed: false, unitSize: 1, base: 0 } });
 
 export const Parameters = /* @__PURE__ */ parameterSet("parameters", {
-  actuatorType: /* @__PURE__ */ parameter("actuator_type", 0, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("actuator_type", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "0" }),
-  positiveSoftLimit: /* @__PURE__ */ parameter("positive_soft_limit", 1, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value <= 9999)) throw refusedNumber("positive_soft_limit", value, 0, 65535, "0..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 9999]] }), printedName: "1" }),
-  negativeSoftLimit: /* @__PURE__ */ parameter("negative_soft_limit", 2, 0, "", (b, o) => (((b[o + 1] << 8) | b[o]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -9999 && value <= 0)) throw refusedNumber("negative_soft_limit", value, -32768, 32767, "-9999..0"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, carriedSigned: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[-9999n, 0n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-9999, 0]] }), printedName: "2" }),
-  stroke: /* @__PURE__ */ parameter("stroke", 3, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value <= 9999)) throw refusedNumber("stroke", value, 0, 65535, "0..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 9999]] }), printedName: "3" }),
-  preset4: /* @__PURE__ */ parameter("preset_4", 4, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_4", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "4" }),
+  actuatorType: /* @__PURE__ */ parameter("actuator_type", 0, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("actuator_type", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "0" }),
+  positiveSoftLimit: /* @__PURE__ */ parameter("positive_soft_limit", 1, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value <= 9999)) throw refusedNumber("positive_soft_limit", value, "0..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 9999]] }), printedName: "1" }),
+  negativeSoftLimit: /* @__PURE__ */ parameter("negative_soft_limit", 2, 0, "", (b, o) => (((b[o + 1] << 8) | b[o]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -9999 && value <= 0)) throw refusedNumber("negative_soft_limit", value, "-9999..0"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, carriedSigned: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[-9999n, 0n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-9999, 0]] }), printedName: "2" }),
+  stroke: /* @__PURE__ */ parameter("stroke", 3, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value <= 9999)) throw refusedNumber("stroke", value, "0..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 9999]] }), printedName: "3" }),
+  preset4: /* @__PURE__ */ parameter("preset_4", 4, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_4", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "4" }),
   homingDirection: /* @__PURE__ */ parameter("homing_direction", 5, 0, "", (b, o) => { const number = ((b[o + 1] << 8) | b[o]); if (!(number <= 1)) throw wrongNumber("unknown_value", "homing_direction", number, "which homing_direction does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("homing_direction", value, "homing_direction", false); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "5" }),
-  homingSpeed: /* @__PURE__ */ parameter("homing_speed", 6, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 50)) throw refusedNumber("homing_speed", value, 0, 65535, "1..50"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 50n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 50]] }), printedName: "6" }),
-  homeOffset: /* @__PURE__ */ parameter("home_offset", 7, 0, "", (b, o) => (((b[o + 1] << 8) | b[o]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -9999 && value <= 9999)) throw refusedNumber("home_offset", value, -32768, 32767, "-9999..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, carriedSigned: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[-9999n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-9999, 9999]] }), printedName: "7" }),
-  acceleration: /* @__PURE__ */ parameter("acceleration", 8, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("acceleration", value, 0, 65535, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "8" }),
-  maximumProgramSpeed: /* @__PURE__ */ parameter("maximum_program_speed", 9, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("maximum_program_speed", value, 0, 65535, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "9" }),
-  grippingSpeed: /* @__PURE__ */ parameter("gripping_speed", 10, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("gripping_speed", value, 0, 65535, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "10" }),
-  constantSpeedDistance: /* @__PURE__ */ parameter("constant_speed_distance", 11, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 9999)) throw refusedNumber("constant_speed_distance", value, 0, 65535, "1..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 100n, absent: [], ranges: [[1n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 9999]] }), printedName: "11" }),
-  limitWidth: /* @__PURE__ */ parameter("limit_width", 12, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 9999)) throw refusedNumber("limit_width", value, 0, 65535, "1..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 100n, absent: [], ranges: [[1n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 9999]] }), printedName: "12" }),
-  positioningCompletePulses: /* @__PURE__ */ parameter("positioning_complete_pulses", 13, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 4000)) throw refusedNumber("positioning_complete_pulses", value, 0, 65535, "1..4000"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 4000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 4000]] }), printedName: "13" }),
-  preset14: /* @__PURE__ */ parameter("preset_14", 14, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_14", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "14" }),
-  preset15: /* @__PURE__ */ parameter("preset_15", 15, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_15", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "15" }),
+  homingSpeed: /* @__PURE__ */ parameter("homing_speed", 6, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 50)) throw refusedNumber("homing_speed", value, "1..50"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 50n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 50]] }), printedName: "6" }),
+  homeOffset: /* @__PURE__ */ parameter("home_offset", 7, 0, "", (b, o) => (((b[o + 1] << 8) | b[o]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -9999 && value <= 9999)) throw refusedNumber("home_offset", value, "-9999..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, carriedSigned: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[-9999n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-9999, 9999]] }), printedName: "7" }),
+  acceleration: /* @__PURE__ */ parameter("acceleration", 8, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("acceleration", value, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "8" }),
+  maximumProgramSpeed: /* @__PURE__ */ parameter("maximum_program_speed", 9, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("maximum_program_speed", value, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "9" }),
+  grippingSpeed: /* @__PURE__ */ parameter("gripping_speed", 10, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("gripping_speed", value, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "10" }),
+  constantSpeedDistance: /* @__PURE__ */ parameter("constant_speed_distance", 11, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 9999)) throw refusedNumber("constant_speed_distance", value, "1..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 100n, absent: [], ranges: [[1n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 9999]] }), printedName: "11" }),
+  limitWidth: /* @__PURE__ */ parameter("limit_width", 12, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 9999)) throw refusedNumber("limit_width", value, "1..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 100n, absent: [], ranges: [[1n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 9999]] }), printedName: "12" }),
+  positioningCompletePulses: /* @__PURE__ */ parameter("positioning_complete_pulses", 13, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 4000)) throw refusedNumber("positioning_complete_pulses", value, "1..4000"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 4000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 4000]] }), printedName: "13" }),
+  preset14: /* @__PURE__ */ parameter("preset_14", 14, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_14", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "14" }),
+  preset15: /* @__PURE__ */ parameter("preset_15", 15, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_15", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "15" }),
   homingMethod: /* @__PURE__ */ parameter("homing_method", 16, 0, "", (b, o) => { const number = ((b[o + 1] << 8) | b[o]); if (!(number <= 1)) throw wrongNumber("unknown_value", "homing_method", number, "which homing_method does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("homing_method", value, "homing_method", false); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "16" }),
-  preset17: /* @__PURE__ */ parameter("preset_17", 17, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_17", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "17" }),
-  unregistered18: /* @__PURE__ */ parameter("unregistered_18", 18, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("unregistered_18", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "18" }),
-  unregistered19: /* @__PURE__ */ parameter("unregistered_19", 19, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("unregistered_19", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "19" }),
-  unregistered20: /* @__PURE__ */ parameter("unregistered_20", 20, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("unregistered_20", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "20" }),
-  preset21: /* @__PURE__ */ parameter("preset_21", 21, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_21", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "21" }),
-  preset22: /* @__PURE__ */ parameter("preset_22", 22, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_22", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "22" }),
-  preset23: /* @__PURE__ */ parameter("preset_23", 23, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_23", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "23" }),
-  preset24: /* @__PURE__ */ parameter("preset_24", 24, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_24", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "24" }),
-  preset25: /* @__PURE__ */ parameter("preset_25", 25, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_25", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "25" }),
-  preset26: /* @__PURE__ */ parameter("preset_26", 26, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_26", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "26" }),
-  preset27: /* @__PURE__ */ parameter("preset_27", 27, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_27", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "27" }),
-  preset28: /* @__PURE__ */ parameter("preset_28", 28, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_28", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "28" }),
-  preset29: /* @__PURE__ */ parameter("preset_29", 29, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_29", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "29" }),
-  actuatorMaximumSpeed: /* @__PURE__ */ parameter("actuator_maximum_speed", 30, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("actuator_maximum_speed", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }), printedName: "30" }),
-  preset31: /* @__PURE__ */ parameter("preset_31", 31, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_31", value, 0, 65535, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "31" }),
+  preset17: /* @__PURE__ */ parameter("preset_17", 17, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_17", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "17" }),
+  unregistered18: /* @__PURE__ */ parameter("unregistered_18", 18, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("unregistered_18", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "18" }),
+  unregistered19: /* @__PURE__ */ parameter("unregistered_19", 19, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("unregistered_19", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "19" }),
+  unregistered20: /* @__PURE__ */ parameter("unregistered_20", 20, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("unregistered_20", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "20" }),
+  preset21: /* @__PURE__ */ parameter("preset_21", 21, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_21", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "21" }),
+  preset22: /* @__PURE__ */ parameter("preset_22", 22, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_22", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "22" }),
+  preset23: /* @__PURE__ */ parameter("preset_23", 23, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_23", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "23" }),
+  preset24: /* @__PURE__ */ parameter("preset_24", 24, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_24", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "24" }),
+  preset25: /* @__PURE__ */ parameter("preset_25", 25, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_25", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "25" }),
+  preset26: /* @__PURE__ */ parameter("preset_26", 26, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_26", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "26" }),
+  preset27: /* @__PURE__ */ parameter("preset_27", 27, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_27", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "27" }),
+  preset28: /* @__PURE__ */ parameter("preset_28", 28, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_28", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "28" }),
+  preset29: /* @__PURE__ */ parameter("preset_29", 29, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_29", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "29" }),
+  actuatorMaximumSpeed: /* @__PURE__ */ parameter("actuator_maximum_speed", 30, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("actuator_maximum_speed", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }), printedName: "30" }),
+  preset31: /* @__PURE__ */ parameter("preset_31", 31, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_31", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "31" }),
 });

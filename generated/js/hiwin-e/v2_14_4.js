@@ -695,7 +695,7 @@ function writeParameterError(value, b, o) {
   b[o] = 68;
   b[o + 1] = 1;
   const errorNumber_ = value.errorNumber;
-  if (!((errorNumber_ & 65535) === errorNumber_)) throw refusedNumber("error_number", errorNumber_, 0, 65535, "0..65535");
+  if (!((errorNumber_ & 65535) === errorNumber_)) throw refusedNumber("error_number", errorNumber_, "0..65535");
   b[o + 3] = errorNumber_;
   b[o + 2] = errorNumber_ >>> 8;
 }
@@ -715,6 +715,7 @@ export const ParameterError = /* @__PURE__ */ record({
 });
 
 function readReadParameterRequest(b, o) {
+  o &= 0x7fffffff;
   const attribute_ = b[o];
   if (attribute_ !== 16) throw wrongNumber("wrong_const", "attribute", attribute_, "not 16", o);
   return {
@@ -724,16 +725,17 @@ function readReadParameterRequest(b, o) {
   };
 }
 function writeReadParameterRequest(value, b, o) {
+  o &= 0x7fffffff;
   b[o] = 16;
   const elementCount_ = value.elementCount;
-  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, 0, 255, "0..255");
+  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, "0..255");
   b[o + 1] = elementCount_;
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, 0, 65535, "0..65535");
+  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, "0..65535");
   b[o + 3] = parameterNumber_;
   b[o + 2] = parameterNumber_ >>> 8;
   const subindex_ = value.subindex;
-  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, 0, 65535, "0..65535");
+  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, "0..65535");
   b[o + 5] = subindex_;
   b[o + 4] = subindex_ >>> 8;
 }
@@ -789,6 +791,7 @@ function readReadParameterResponseCase3(b, o, end) {
   };
 }
 function readReadParameterResponseCase4(b, o, end) {
+  o &= 0x7fffffff;
   const format_ = b[o];
   if (!((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68))) throw wrongNumber("unknown_value", "format", format_, "which parameter_format does not list", o);
   const values_ = [];
@@ -825,6 +828,7 @@ function readReadParameterResponseCase6(b, o, end) {
   };
 }
 function readReadParameterResponseCase7(b, o, end) {
+  o &= 0x7fffffff;
   const format_ = b[o];
   if (!((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68))) throw wrongNumber("unknown_value", "format", format_, "which parameter_format does not list", o);
   const values_ = [];
@@ -837,6 +841,7 @@ function readReadParameterResponseCase7(b, o, end) {
   };
 }
 function readReadParameterResponseCase8(b, o, end) {
+  o &= 0x7fffffff;
   const format_ = b[o];
   if (!((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68))) throw wrongNumber("unknown_value", "format", format_, "which parameter_format does not list", o);
   const values_ = [];
@@ -920,7 +925,7 @@ function writeReadParameterResponseCase1(value, b, o) {
     b[at] = itemRaw;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase1(value) {
@@ -933,11 +938,11 @@ function writeReadParameterResponseCase2(value, b, o) {
   checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 1) {
     const item = value.values[index];
-    if (!((item | 0) === item && item >= -128 && item <= 127)) throw refusedNumber("values", item, -128, 127, "-128..127");
+    if (!((item | 0) === item && item >= -128 && item <= 127)) throw refusedNumber("values", item, "-128..127");
     b[at] = item;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase2(value) {
@@ -950,32 +955,33 @@ function writeReadParameterResponseCase3(value, b, o) {
   checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
-    if (!((item | 0) === item && item >= -32768 && item <= 32767)) throw refusedNumber("values", item, -32768, 32767, "-32768..32767");
+    if (!((item | 0) === item && item >= -32768 && item <= 32767)) throw refusedNumber("values", item, "-32768..32767");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase3(value) {
   return 2 + listLength(value, "values", 255) * 2;
 }
 function writeReadParameterResponseCase4(value, b, o) {
+  o &= 0x7fffffff;
   const format_ = value.format;
   if (!((format_ & 255) === format_ && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
   checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 4) {
     const item = value.values[index];
-    if (!((item | 0) === item)) throw refusedNumber("values", item, -2147483648, 2147483647, "-2147483648..2147483647");
+    if (!((item | 0) === item)) throw refusedNumber("values", item, "-2147483648..2147483647");
     b[at + 3] = item;
     b[at + 2] = item >>> 8;
     b[at + 1] = item >>> 16;
     b[at] = item >>> 24;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase4(value) {
@@ -988,11 +994,11 @@ function writeReadParameterResponseCase5(value, b, o) {
   checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 1) {
     const item = value.values[index];
-    if (!((item & 255) === item)) throw refusedNumber("values", item, 0, 255, "0..255");
+    if (!((item & 255) === item)) throw refusedNumber("values", item, "0..255");
     b[at] = item;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase5(value) {
@@ -1005,38 +1011,40 @@ function writeReadParameterResponseCase6(value, b, o) {
   checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
-    if (!((item & 65535) === item)) throw refusedNumber("values", item, 0, 65535, "0..65535");
+    if (!((item & 65535) === item)) throw refusedNumber("values", item, "0..65535");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase6(value) {
   return 2 + listLength(value, "values", 255) * 2;
 }
 function writeReadParameterResponseCase7(value, b, o) {
+  o &= 0x7fffffff;
   const format_ = value.format;
   if (!((format_ & 255) === format_ && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
   checkList("values", value.values, 1, 255);
   for (let at = o + 2, index = 0; index < value.values.length; index++, at += 4) {
     const item = value.values[index];
-    if (!((item >>> 0) === item)) throw refusedNumber("values", item, 0, 4294967295, "0..4294967295");
+    if (!((item >>> 0) === item)) throw refusedNumber("values", item, "0..4294967295");
     b[at + 3] = item;
     b[at + 2] = item >>> 8;
     b[at + 1] = item >>> 16;
     b[at] = item >>> 24;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase7(value) {
   return 2 + listLength(value, "values", 255) * 4;
 }
 function writeReadParameterResponseCase8(value, b, o) {
+  o &= 0x7fffffff;
   const format_ = value.format;
   if (!((format_ & 255) === format_ && ((format_ >= 1 && format_ <= 8) || (format_ >= 65 && format_ <= 68)))) throw refusedMember("format", format_, "parameter_format", false);
   b[o] = format_;
@@ -1050,7 +1058,7 @@ function writeReadParameterResponseCase8(value, b, o) {
     b[at] = itemRaw >>> 24;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 1] = valueCount_;
 }
 function sizeReadParameterResponseCase8(value) {
@@ -1084,6 +1092,7 @@ export const ReadParameterResponse = /* @__PURE__ */ record({
 export const ReadParameter = /* @__PURE__ */ message("read_parameter", 0x01, ReadParameterRequest, ReadParameterResponse);
 
 function readWriteParameterRequestCase1(b, o, end) {
+  o &= 0x7fffffff;
   const attribute_ = b[o];
   if (attribute_ !== 16) throw wrongNumber("wrong_const", "attribute", attribute_, "not 16", o);
   const format_ = b[o + 6];
@@ -1101,6 +1110,7 @@ function readWriteParameterRequestCase1(b, o, end) {
   };
 }
 function readWriteParameterRequestCase2(b, o, end) {
+  o &= 0x7fffffff;
   const attribute_ = b[o];
   if (attribute_ !== 16) throw wrongNumber("wrong_const", "attribute", attribute_, "not 16", o);
   const format_ = b[o + 6];
@@ -1118,6 +1128,7 @@ function readWriteParameterRequestCase2(b, o, end) {
   };
 }
 function readWriteParameterRequestCase3(b, o, end) {
+  o &= 0x7fffffff;
   const attribute_ = b[o];
   if (attribute_ !== 16) throw wrongNumber("wrong_const", "attribute", attribute_, "not 16", o);
   const format_ = b[o + 6];
@@ -1135,6 +1146,7 @@ function readWriteParameterRequestCase3(b, o, end) {
   };
 }
 function readWriteParameterRequestCase4(b, o, end) {
+  o &= 0x7fffffff;
   const attribute_ = b[o];
   if (attribute_ !== 16) throw wrongNumber("wrong_const", "attribute", attribute_, "not 16", o);
   const format_ = b[o + 6];
@@ -1152,6 +1164,7 @@ function readWriteParameterRequestCase4(b, o, end) {
   };
 }
 function readWriteParameterRequestCase5(b, o, end) {
+  o &= 0x7fffffff;
   const attribute_ = b[o];
   if (attribute_ !== 16) throw wrongNumber("wrong_const", "attribute", attribute_, "not 16", o);
   const format_ = b[o + 6];
@@ -1169,6 +1182,7 @@ function readWriteParameterRequestCase5(b, o, end) {
   };
 }
 function readWriteParameterRequestCase6(b, o, end) {
+  o &= 0x7fffffff;
   const attribute_ = b[o];
   if (attribute_ !== 16) throw wrongNumber("wrong_const", "attribute", attribute_, "not 16", o);
   const format_ = b[o + 6];
@@ -1186,6 +1200,7 @@ function readWriteParameterRequestCase6(b, o, end) {
   };
 }
 function readWriteParameterRequestCase7(b, o, end) {
+  o &= 0x7fffffff;
   const attribute_ = b[o];
   if (attribute_ !== 16) throw wrongNumber("wrong_const", "attribute", attribute_, "not 16", o);
   const format_ = b[o + 6];
@@ -1203,6 +1218,7 @@ function readWriteParameterRequestCase7(b, o, end) {
   };
 }
 function readWriteParameterRequestCase8(b, o, end) {
+  o &= 0x7fffffff;
   const attribute_ = b[o];
   if (attribute_ !== 16) throw wrongNumber("wrong_const", "attribute", attribute_, "not 16", o);
   const format_ = b[o + 6];
@@ -1281,16 +1297,17 @@ function selectWriteParameterRequest(b, o, end) {
   }
 }
 function writeWriteParameterRequestCase1(value, b, o) {
+  o &= 0x7fffffff;
   b[o] = 16;
   const elementCount_ = value.elementCount;
-  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, 0, 255, "0..255");
+  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, "0..255");
   b[o + 1] = elementCount_;
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, 0, 65535, "0..65535");
+  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, "0..65535");
   b[o + 3] = parameterNumber_;
   b[o + 2] = parameterNumber_ >>> 8;
   const subindex_ = value.subindex;
-  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, 0, 65535, "0..65535");
+  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, "0..65535");
   b[o + 5] = subindex_;
   b[o + 4] = subindex_ >>> 8;
   const format_ = value.format;
@@ -1303,23 +1320,24 @@ function writeWriteParameterRequestCase1(value, b, o) {
     b[at] = itemRaw;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase1(value) {
   return 8 + listLength(value, "values", 255);
 }
 function writeWriteParameterRequestCase2(value, b, o) {
+  o &= 0x7fffffff;
   b[o] = 16;
   const elementCount_ = value.elementCount;
-  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, 0, 255, "0..255");
+  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, "0..255");
   b[o + 1] = elementCount_;
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, 0, 65535, "0..65535");
+  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, "0..65535");
   b[o + 3] = parameterNumber_;
   b[o + 2] = parameterNumber_ >>> 8;
   const subindex_ = value.subindex;
-  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, 0, 65535, "0..65535");
+  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, "0..65535");
   b[o + 5] = subindex_;
   b[o + 4] = subindex_ >>> 8;
   const format_ = value.format;
@@ -1328,27 +1346,28 @@ function writeWriteParameterRequestCase2(value, b, o) {
   checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 1) {
     const item = value.values[index];
-    if (!((item | 0) === item && item >= -128 && item <= 127)) throw refusedNumber("values", item, -128, 127, "-128..127");
+    if (!((item | 0) === item && item >= -128 && item <= 127)) throw refusedNumber("values", item, "-128..127");
     b[at] = item;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase2(value) {
   return 8 + listLength(value, "values", 255);
 }
 function writeWriteParameterRequestCase3(value, b, o) {
+  o &= 0x7fffffff;
   b[o] = 16;
   const elementCount_ = value.elementCount;
-  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, 0, 255, "0..255");
+  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, "0..255");
   b[o + 1] = elementCount_;
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, 0, 65535, "0..65535");
+  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, "0..65535");
   b[o + 3] = parameterNumber_;
   b[o + 2] = parameterNumber_ >>> 8;
   const subindex_ = value.subindex;
-  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, 0, 65535, "0..65535");
+  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, "0..65535");
   b[o + 5] = subindex_;
   b[o + 4] = subindex_ >>> 8;
   const format_ = value.format;
@@ -1357,28 +1376,29 @@ function writeWriteParameterRequestCase3(value, b, o) {
   checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
-    if (!((item | 0) === item && item >= -32768 && item <= 32767)) throw refusedNumber("values", item, -32768, 32767, "-32768..32767");
+    if (!((item | 0) === item && item >= -32768 && item <= 32767)) throw refusedNumber("values", item, "-32768..32767");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase3(value) {
   return 8 + listLength(value, "values", 255) * 2;
 }
 function writeWriteParameterRequestCase4(value, b, o) {
+  o &= 0x7fffffff;
   b[o] = 16;
   const elementCount_ = value.elementCount;
-  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, 0, 255, "0..255");
+  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, "0..255");
   b[o + 1] = elementCount_;
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, 0, 65535, "0..65535");
+  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, "0..65535");
   b[o + 3] = parameterNumber_;
   b[o + 2] = parameterNumber_ >>> 8;
   const subindex_ = value.subindex;
-  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, 0, 65535, "0..65535");
+  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, "0..65535");
   b[o + 5] = subindex_;
   b[o + 4] = subindex_ >>> 8;
   const format_ = value.format;
@@ -1387,30 +1407,31 @@ function writeWriteParameterRequestCase4(value, b, o) {
   checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 4) {
     const item = value.values[index];
-    if (!((item | 0) === item)) throw refusedNumber("values", item, -2147483648, 2147483647, "-2147483648..2147483647");
+    if (!((item | 0) === item)) throw refusedNumber("values", item, "-2147483648..2147483647");
     b[at + 3] = item;
     b[at + 2] = item >>> 8;
     b[at + 1] = item >>> 16;
     b[at] = item >>> 24;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase4(value) {
   return 8 + listLength(value, "values", 255) * 4;
 }
 function writeWriteParameterRequestCase5(value, b, o) {
+  o &= 0x7fffffff;
   b[o] = 16;
   const elementCount_ = value.elementCount;
-  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, 0, 255, "0..255");
+  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, "0..255");
   b[o + 1] = elementCount_;
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, 0, 65535, "0..65535");
+  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, "0..65535");
   b[o + 3] = parameterNumber_;
   b[o + 2] = parameterNumber_ >>> 8;
   const subindex_ = value.subindex;
-  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, 0, 65535, "0..65535");
+  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, "0..65535");
   b[o + 5] = subindex_;
   b[o + 4] = subindex_ >>> 8;
   const format_ = value.format;
@@ -1419,27 +1440,28 @@ function writeWriteParameterRequestCase5(value, b, o) {
   checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 1) {
     const item = value.values[index];
-    if (!((item & 255) === item)) throw refusedNumber("values", item, 0, 255, "0..255");
+    if (!((item & 255) === item)) throw refusedNumber("values", item, "0..255");
     b[at] = item;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase5(value) {
   return 8 + listLength(value, "values", 255);
 }
 function writeWriteParameterRequestCase6(value, b, o) {
+  o &= 0x7fffffff;
   b[o] = 16;
   const elementCount_ = value.elementCount;
-  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, 0, 255, "0..255");
+  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, "0..255");
   b[o + 1] = elementCount_;
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, 0, 65535, "0..65535");
+  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, "0..65535");
   b[o + 3] = parameterNumber_;
   b[o + 2] = parameterNumber_ >>> 8;
   const subindex_ = value.subindex;
-  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, 0, 65535, "0..65535");
+  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, "0..65535");
   b[o + 5] = subindex_;
   b[o + 4] = subindex_ >>> 8;
   const format_ = value.format;
@@ -1448,28 +1470,29 @@ function writeWriteParameterRequestCase6(value, b, o) {
   checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
-    if (!((item & 65535) === item)) throw refusedNumber("values", item, 0, 65535, "0..65535");
+    if (!((item & 65535) === item)) throw refusedNumber("values", item, "0..65535");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase6(value) {
   return 8 + listLength(value, "values", 255) * 2;
 }
 function writeWriteParameterRequestCase7(value, b, o) {
+  o &= 0x7fffffff;
   b[o] = 16;
   const elementCount_ = value.elementCount;
-  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, 0, 255, "0..255");
+  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, "0..255");
   b[o + 1] = elementCount_;
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, 0, 65535, "0..65535");
+  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, "0..65535");
   b[o + 3] = parameterNumber_;
   b[o + 2] = parameterNumber_ >>> 8;
   const subindex_ = value.subindex;
-  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, 0, 65535, "0..65535");
+  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, "0..65535");
   b[o + 5] = subindex_;
   b[o + 4] = subindex_ >>> 8;
   const format_ = value.format;
@@ -1478,30 +1501,31 @@ function writeWriteParameterRequestCase7(value, b, o) {
   checkList("values", value.values, 1, 255);
   for (let at = o + 8, index = 0; index < value.values.length; index++, at += 4) {
     const item = value.values[index];
-    if (!((item >>> 0) === item)) throw refusedNumber("values", item, 0, 4294967295, "0..4294967295");
+    if (!((item >>> 0) === item)) throw refusedNumber("values", item, "0..4294967295");
     b[at + 3] = item;
     b[at + 2] = item >>> 8;
     b[at + 1] = item >>> 16;
     b[at] = item >>> 24;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase7(value) {
   return 8 + listLength(value, "values", 255) * 4;
 }
 function writeWriteParameterRequestCase8(value, b, o) {
+  o &= 0x7fffffff;
   b[o] = 16;
   const elementCount_ = value.elementCount;
-  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, 0, 255, "0..255");
+  if (!((elementCount_ & 255) === elementCount_)) throw refusedNumber("element_count", elementCount_, "0..255");
   b[o + 1] = elementCount_;
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, 0, 65535, "0..65535");
+  if (!((parameterNumber_ & 65535) === parameterNumber_)) throw refusedNumber("parameter_number", parameterNumber_, "0..65535");
   b[o + 3] = parameterNumber_;
   b[o + 2] = parameterNumber_ >>> 8;
   const subindex_ = value.subindex;
-  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, 0, 65535, "0..65535");
+  if (!((subindex_ & 65535) === subindex_)) throw refusedNumber("subindex", subindex_, "0..65535");
   b[o + 5] = subindex_;
   b[o + 4] = subindex_ >>> 8;
   const format_ = value.format;
@@ -1517,7 +1541,7 @@ function writeWriteParameterRequestCase8(value, b, o) {
     b[at] = itemRaw >>> 24;
   }
   const valueCount_ = value.values.length;
-  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, 0, 255, "0..255");
+  if (!((valueCount_ & 255) === valueCount_)) throw refusedNumber("value_count", valueCount_, "0..255");
   b[o + 7] = valueCount_;
 }
 function sizeWriteParameterRequestCase8(value) {
@@ -1570,6 +1594,7 @@ export const WriteParameterResponse = /* @__PURE__ */ record({
 export const WriteParameter = /* @__PURE__ */ message("write_parameter", 0x02, WriteParameterRequest, WriteParameterResponse);
 
 function readTelegram3Request(b, o) {
+  o &= 0x7fffffff;
   return {
     controlWord1: ((b[o] << 8) | b[o + 1]),
     speedSetpointB: ((b[o + 2] << 24) | (b[o + 3] << 16) | (b[o + 4] << 8) | b[o + 5]),
@@ -1578,22 +1603,23 @@ function readTelegram3Request(b, o) {
   };
 }
 function writeTelegram3Request(value, b, o) {
+  o &= 0x7fffffff;
   const controlWord1_ = value.controlWord1;
-  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, 0, 65535, "0..65535");
+  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, "0..65535");
   b[o + 1] = controlWord1_;
   b[o] = controlWord1_ >>> 8;
   const speedSetpointB_ = value.speedSetpointB;
-  if (!((speedSetpointB_ | 0) === speedSetpointB_)) throw refusedNumber("speed_setpoint_b", speedSetpointB_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((speedSetpointB_ | 0) === speedSetpointB_)) throw refusedNumber("speed_setpoint_b", speedSetpointB_, "-2147483648..2147483647");
   b[o + 5] = speedSetpointB_;
   b[o + 4] = speedSetpointB_ >>> 8;
   b[o + 3] = speedSetpointB_ >>> 16;
   b[o + 2] = speedSetpointB_ >>> 24;
   const controlWord2_ = value.controlWord2;
-  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, 0, 65535, "0..65535");
+  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, "0..65535");
   b[o + 7] = controlWord2_;
   b[o + 6] = controlWord2_ >>> 8;
   const encoder1ControlWord_ = value.encoder1ControlWord;
-  if (!((encoder1ControlWord_ & 65535) === encoder1ControlWord_)) throw refusedNumber("encoder_1_control_word", encoder1ControlWord_, 0, 65535, "0..65535");
+  if (!((encoder1ControlWord_ & 65535) === encoder1ControlWord_)) throw refusedNumber("encoder_1_control_word", encoder1ControlWord_, "0..65535");
   b[o + 9] = encoder1ControlWord_;
   b[o + 8] = encoder1ControlWord_ >>> 8;
 }
@@ -1613,6 +1639,7 @@ export const Telegram3Request = /* @__PURE__ */ record({
 });
 
 function readTelegram3Response(b, o) {
+  o &= 0x7fffffff;
   return {
     statusWord1: ((b[o] << 8) | b[o + 1]),
     speedActualB: ((b[o + 2] << 24) | (b[o + 3] << 16) | (b[o + 4] << 8) | b[o + 5]),
@@ -1623,32 +1650,33 @@ function readTelegram3Response(b, o) {
   };
 }
 function writeTelegram3Response(value, b, o) {
+  o &= 0x7fffffff;
   const statusWord1_ = value.statusWord1;
-  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, 0, 65535, "0..65535");
+  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, "0..65535");
   b[o + 1] = statusWord1_;
   b[o] = statusWord1_ >>> 8;
   const speedActualB_ = value.speedActualB;
-  if (!((speedActualB_ | 0) === speedActualB_)) throw refusedNumber("speed_actual_b", speedActualB_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((speedActualB_ | 0) === speedActualB_)) throw refusedNumber("speed_actual_b", speedActualB_, "-2147483648..2147483647");
   b[o + 5] = speedActualB_;
   b[o + 4] = speedActualB_ >>> 8;
   b[o + 3] = speedActualB_ >>> 16;
   b[o + 2] = speedActualB_ >>> 24;
   const statusWord2_ = value.statusWord2;
-  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, 0, 65535, "0..65535");
+  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, "0..65535");
   b[o + 7] = statusWord2_;
   b[o + 6] = statusWord2_ >>> 8;
   const encoder1StatusWord_ = value.encoder1StatusWord;
-  if (!((encoder1StatusWord_ & 65535) === encoder1StatusWord_)) throw refusedNumber("encoder_1_status_word", encoder1StatusWord_, 0, 65535, "0..65535");
+  if (!((encoder1StatusWord_ & 65535) === encoder1StatusWord_)) throw refusedNumber("encoder_1_status_word", encoder1StatusWord_, "0..65535");
   b[o + 9] = encoder1StatusWord_;
   b[o + 8] = encoder1StatusWord_ >>> 8;
   const encoder1Position1_ = value.encoder1Position1;
-  if (!((encoder1Position1_ | 0) === encoder1Position1_)) throw refusedNumber("encoder_1_position_1", encoder1Position1_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((encoder1Position1_ | 0) === encoder1Position1_)) throw refusedNumber("encoder_1_position_1", encoder1Position1_, "-2147483648..2147483647");
   b[o + 13] = encoder1Position1_;
   b[o + 12] = encoder1Position1_ >>> 8;
   b[o + 11] = encoder1Position1_ >>> 16;
   b[o + 10] = encoder1Position1_ >>> 24;
   const encoder1Position2_ = value.encoder1Position2;
-  if (!((encoder1Position2_ | 0) === encoder1Position2_)) throw refusedNumber("encoder_1_position_2", encoder1Position2_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((encoder1Position2_ | 0) === encoder1Position2_)) throw refusedNumber("encoder_1_position_2", encoder1Position2_, "-2147483648..2147483647");
   b[o + 17] = encoder1Position2_;
   b[o + 16] = encoder1Position2_ >>> 8;
   b[o + 15] = encoder1Position2_ >>> 16;
@@ -1672,6 +1700,7 @@ export const Telegram3Response = /* @__PURE__ */ record({
 export const Telegram3 = /* @__PURE__ */ message("telegram_3", null, Telegram3Request, Telegram3Response, 3);
 
 function readTelegram5Request(b, o) {
+  o &= 0x7fffffff;
   return {
     controlWord1: ((b[o] << 8) | b[o + 1]),
     speedSetpointB: ((b[o + 2] << 24) | (b[o + 3] << 16) | (b[o + 4] << 8) | b[o + 5]),
@@ -1682,32 +1711,33 @@ function readTelegram5Request(b, o) {
   };
 }
 function writeTelegram5Request(value, b, o) {
+  o &= 0x7fffffff;
   const controlWord1_ = value.controlWord1;
-  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, 0, 65535, "0..65535");
+  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, "0..65535");
   b[o + 1] = controlWord1_;
   b[o] = controlWord1_ >>> 8;
   const speedSetpointB_ = value.speedSetpointB;
-  if (!((speedSetpointB_ | 0) === speedSetpointB_)) throw refusedNumber("speed_setpoint_b", speedSetpointB_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((speedSetpointB_ | 0) === speedSetpointB_)) throw refusedNumber("speed_setpoint_b", speedSetpointB_, "-2147483648..2147483647");
   b[o + 5] = speedSetpointB_;
   b[o + 4] = speedSetpointB_ >>> 8;
   b[o + 3] = speedSetpointB_ >>> 16;
   b[o + 2] = speedSetpointB_ >>> 24;
   const controlWord2_ = value.controlWord2;
-  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, 0, 65535, "0..65535");
+  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, "0..65535");
   b[o + 7] = controlWord2_;
   b[o + 6] = controlWord2_ >>> 8;
   const encoder1ControlWord_ = value.encoder1ControlWord;
-  if (!((encoder1ControlWord_ & 65535) === encoder1ControlWord_)) throw refusedNumber("encoder_1_control_word", encoder1ControlWord_, 0, 65535, "0..65535");
+  if (!((encoder1ControlWord_ & 65535) === encoder1ControlWord_)) throw refusedNumber("encoder_1_control_word", encoder1ControlWord_, "0..65535");
   b[o + 9] = encoder1ControlWord_;
   b[o + 8] = encoder1ControlWord_ >>> 8;
   const positionError_ = value.positionError;
-  if (!((positionError_ | 0) === positionError_)) throw refusedNumber("position_error", positionError_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((positionError_ | 0) === positionError_)) throw refusedNumber("position_error", positionError_, "-2147483648..2147483647");
   b[o + 13] = positionError_;
   b[o + 12] = positionError_ >>> 8;
   b[o + 11] = positionError_ >>> 16;
   b[o + 10] = positionError_ >>> 24;
   const positionControllerGain_ = value.positionControllerGain;
-  if (!((positionControllerGain_ | 0) === positionControllerGain_)) throw refusedNumber("position_controller_gain", positionControllerGain_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((positionControllerGain_ | 0) === positionControllerGain_)) throw refusedNumber("position_controller_gain", positionControllerGain_, "-2147483648..2147483647");
   b[o + 17] = positionControllerGain_;
   b[o + 16] = positionControllerGain_ >>> 8;
   b[o + 15] = positionControllerGain_ >>> 16;
@@ -1729,6 +1759,7 @@ export const Telegram5Request = /* @__PURE__ */ record({
 });
 
 function readTelegram5Response(b, o) {
+  o &= 0x7fffffff;
   return {
     statusWord1: ((b[o] << 8) | b[o + 1]),
     speedActualB: ((b[o + 2] << 24) | (b[o + 3] << 16) | (b[o + 4] << 8) | b[o + 5]),
@@ -1739,32 +1770,33 @@ function readTelegram5Response(b, o) {
   };
 }
 function writeTelegram5Response(value, b, o) {
+  o &= 0x7fffffff;
   const statusWord1_ = value.statusWord1;
-  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, 0, 65535, "0..65535");
+  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, "0..65535");
   b[o + 1] = statusWord1_;
   b[o] = statusWord1_ >>> 8;
   const speedActualB_ = value.speedActualB;
-  if (!((speedActualB_ | 0) === speedActualB_)) throw refusedNumber("speed_actual_b", speedActualB_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((speedActualB_ | 0) === speedActualB_)) throw refusedNumber("speed_actual_b", speedActualB_, "-2147483648..2147483647");
   b[o + 5] = speedActualB_;
   b[o + 4] = speedActualB_ >>> 8;
   b[o + 3] = speedActualB_ >>> 16;
   b[o + 2] = speedActualB_ >>> 24;
   const statusWord2_ = value.statusWord2;
-  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, 0, 65535, "0..65535");
+  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, "0..65535");
   b[o + 7] = statusWord2_;
   b[o + 6] = statusWord2_ >>> 8;
   const encoder1StatusWord_ = value.encoder1StatusWord;
-  if (!((encoder1StatusWord_ & 65535) === encoder1StatusWord_)) throw refusedNumber("encoder_1_status_word", encoder1StatusWord_, 0, 65535, "0..65535");
+  if (!((encoder1StatusWord_ & 65535) === encoder1StatusWord_)) throw refusedNumber("encoder_1_status_word", encoder1StatusWord_, "0..65535");
   b[o + 9] = encoder1StatusWord_;
   b[o + 8] = encoder1StatusWord_ >>> 8;
   const encoder1Position1_ = value.encoder1Position1;
-  if (!((encoder1Position1_ | 0) === encoder1Position1_)) throw refusedNumber("encoder_1_position_1", encoder1Position1_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((encoder1Position1_ | 0) === encoder1Position1_)) throw refusedNumber("encoder_1_position_1", encoder1Position1_, "-2147483648..2147483647");
   b[o + 13] = encoder1Position1_;
   b[o + 12] = encoder1Position1_ >>> 8;
   b[o + 11] = encoder1Position1_ >>> 16;
   b[o + 10] = encoder1Position1_ >>> 24;
   const encoder1Position2_ = value.encoder1Position2;
-  if (!((encoder1Position2_ | 0) === encoder1Position2_)) throw refusedNumber("encoder_1_position_2", encoder1Position2_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((encoder1Position2_ | 0) === encoder1Position2_)) throw refusedNumber("encoder_1_position_2", encoder1Position2_, "-2147483648..2147483647");
   b[o + 17] = encoder1Position2_;
   b[o + 16] = encoder1Position2_ >>> 8;
   b[o + 15] = encoder1Position2_ >>> 16;
@@ -1788,6 +1820,7 @@ export const Telegram5Response = /* @__PURE__ */ record({
 export const Telegram5 = /* @__PURE__ */ message("telegram_5", null, Telegram5Request, Telegram5Response, 5);
 
 function readTelegram9Request(b, o) {
+  o &= 0x7fffffff;
   return {
     controlWord1: ((b[o] << 8) | b[o + 1]),
     blockSelection: ((b[o + 2] << 8) | b[o + 3]),
@@ -1800,40 +1833,41 @@ function readTelegram9Request(b, o) {
   };
 }
 function writeTelegram9Request(value, b, o) {
+  o &= 0x7fffffff;
   const controlWord1_ = value.controlWord1;
-  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, 0, 65535, "0..65535");
+  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, "0..65535");
   b[o + 1] = controlWord1_;
   b[o] = controlWord1_ >>> 8;
   const blockSelection_ = value.blockSelection;
-  if (!((blockSelection_ & 65535) === blockSelection_)) throw refusedNumber("block_selection", blockSelection_, 0, 65535, "0..65535");
+  if (!((blockSelection_ & 65535) === blockSelection_)) throw refusedNumber("block_selection", blockSelection_, "0..65535");
   b[o + 3] = blockSelection_;
   b[o + 2] = blockSelection_ >>> 8;
   const controlWord2_ = value.controlWord2;
-  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, 0, 65535, "0..65535");
+  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, "0..65535");
   b[o + 5] = controlWord2_;
   b[o + 4] = controlWord2_ >>> 8;
   const mdiTargetPosition_ = value.mdiTargetPosition;
-  if (!((mdiTargetPosition_ | 0) === mdiTargetPosition_)) throw refusedNumber("mdi_target_position", mdiTargetPosition_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((mdiTargetPosition_ | 0) === mdiTargetPosition_)) throw refusedNumber("mdi_target_position", mdiTargetPosition_, "-2147483648..2147483647");
   b[o + 9] = mdiTargetPosition_;
   b[o + 8] = mdiTargetPosition_ >>> 8;
   b[o + 7] = mdiTargetPosition_ >>> 16;
   b[o + 6] = mdiTargetPosition_ >>> 24;
   const mdiVelocity_ = value.mdiVelocity;
-  if (!((mdiVelocity_ | 0) === mdiVelocity_ && mdiVelocity_ >= 0)) throw refusedNumber("mdi_velocity", mdiVelocity_, -2147483648, 2147483647, "0..2147483647");
+  if (!((mdiVelocity_ | 0) === mdiVelocity_ && mdiVelocity_ >= 0)) throw refusedNumber("mdi_velocity", mdiVelocity_, "0..2147483647");
   b[o + 13] = mdiVelocity_;
   b[o + 12] = mdiVelocity_ >>> 8;
   b[o + 11] = mdiVelocity_ >>> 16;
   b[o + 10] = mdiVelocity_ >>> 24;
   const mdiAcceleration_ = value.mdiAcceleration;
-  if (!((mdiAcceleration_ & 65535) === mdiAcceleration_ && mdiAcceleration_ <= 16384)) throw refusedNumber("mdi_acceleration", mdiAcceleration_, 0, 65535, "0..16384");
+  if (!((mdiAcceleration_ & 65535) === mdiAcceleration_ && mdiAcceleration_ <= 16384)) throw refusedNumber("mdi_acceleration", mdiAcceleration_, "0..16384");
   b[o + 15] = mdiAcceleration_;
   b[o + 14] = mdiAcceleration_ >>> 8;
   const mdiDeceleration_ = value.mdiDeceleration;
-  if (!((mdiDeceleration_ & 65535) === mdiDeceleration_ && mdiDeceleration_ <= 16384)) throw refusedNumber("mdi_deceleration", mdiDeceleration_, 0, 65535, "0..16384");
+  if (!((mdiDeceleration_ & 65535) === mdiDeceleration_ && mdiDeceleration_ <= 16384)) throw refusedNumber("mdi_deceleration", mdiDeceleration_, "0..16384");
   b[o + 17] = mdiDeceleration_;
   b[o + 16] = mdiDeceleration_ >>> 8;
   const mdiMode_ = value.mdiMode;
-  if (!((mdiMode_ & 65535) === mdiMode_)) throw refusedNumber("mdi_mode", mdiMode_, 0, 65535, "0..65535");
+  if (!((mdiMode_ & 65535) === mdiMode_)) throw refusedNumber("mdi_mode", mdiMode_, "0..65535");
   b[o + 19] = mdiMode_;
   b[o + 18] = mdiMode_ >>> 8;
 }
@@ -1854,6 +1888,7 @@ export const Telegram9Request = /* @__PURE__ */ record({
 });
 
 function readTelegram9Response(b, o) {
+  o &= 0x7fffffff;
   return {
     statusWord1: ((b[o] << 8) | b[o + 1]),
     selectedBlock: ((b[o + 2] << 8) | b[o + 3]),
@@ -1862,20 +1897,21 @@ function readTelegram9Response(b, o) {
   };
 }
 function writeTelegram9Response(value, b, o) {
+  o &= 0x7fffffff;
   const statusWord1_ = value.statusWord1;
-  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, 0, 65535, "0..65535");
+  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, "0..65535");
   b[o + 1] = statusWord1_;
   b[o] = statusWord1_ >>> 8;
   const selectedBlock_ = value.selectedBlock;
-  if (!((selectedBlock_ & 65535) === selectedBlock_)) throw refusedNumber("selected_block", selectedBlock_, 0, 65535, "0..65535");
+  if (!((selectedBlock_ & 65535) === selectedBlock_)) throw refusedNumber("selected_block", selectedBlock_, "0..65535");
   b[o + 3] = selectedBlock_;
   b[o + 2] = selectedBlock_ >>> 8;
   const statusWord2_ = value.statusWord2;
-  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, 0, 65535, "0..65535");
+  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, "0..65535");
   b[o + 5] = statusWord2_;
   b[o + 4] = statusWord2_ >>> 8;
   const positionActualA_ = value.positionActualA;
-  if (!((positionActualA_ | 0) === positionActualA_)) throw refusedNumber("position_actual_a", positionActualA_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((positionActualA_ | 0) === positionActualA_)) throw refusedNumber("position_actual_a", positionActualA_, "-2147483648..2147483647");
   b[o + 9] = positionActualA_;
   b[o + 8] = positionActualA_ >>> 8;
   b[o + 7] = positionActualA_ >>> 16;
@@ -1899,6 +1935,7 @@ export const Telegram9Response = /* @__PURE__ */ record({
 export const Telegram9 = /* @__PURE__ */ message("telegram_9", null, Telegram9Request, Telegram9Response, 9);
 
 function readTelegram102Request(b, o) {
+  o &= 0x7fffffff;
   return {
     controlWord1: ((b[o] << 8) | b[o + 1]),
     speedSetpointB: ((b[o + 2] << 24) | (b[o + 3] << 16) | (b[o + 4] << 8) | b[o + 5]),
@@ -1908,26 +1945,27 @@ function readTelegram102Request(b, o) {
   };
 }
 function writeTelegram102Request(value, b, o) {
+  o &= 0x7fffffff;
   const controlWord1_ = value.controlWord1;
-  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, 0, 65535, "0..65535");
+  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, "0..65535");
   b[o + 1] = controlWord1_;
   b[o] = controlWord1_ >>> 8;
   const speedSetpointB_ = value.speedSetpointB;
-  if (!((speedSetpointB_ | 0) === speedSetpointB_)) throw refusedNumber("speed_setpoint_b", speedSetpointB_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((speedSetpointB_ | 0) === speedSetpointB_)) throw refusedNumber("speed_setpoint_b", speedSetpointB_, "-2147483648..2147483647");
   b[o + 5] = speedSetpointB_;
   b[o + 4] = speedSetpointB_ >>> 8;
   b[o + 3] = speedSetpointB_ >>> 16;
   b[o + 2] = speedSetpointB_ >>> 24;
   const controlWord2_ = value.controlWord2;
-  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, 0, 65535, "0..65535");
+  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, "0..65535");
   b[o + 7] = controlWord2_;
   b[o + 6] = controlWord2_ >>> 8;
   const torqueReduction_ = value.torqueReduction;
-  if (!((torqueReduction_ & 65535) === torqueReduction_ && torqueReduction_ <= 16384)) throw refusedNumber("torque_reduction", torqueReduction_, 0, 65535, "0..16384");
+  if (!((torqueReduction_ & 65535) === torqueReduction_ && torqueReduction_ <= 16384)) throw refusedNumber("torque_reduction", torqueReduction_, "0..16384");
   b[o + 9] = torqueReduction_;
   b[o + 8] = torqueReduction_ >>> 8;
   const encoder1ControlWord_ = value.encoder1ControlWord;
-  if (!((encoder1ControlWord_ & 65535) === encoder1ControlWord_)) throw refusedNumber("encoder_1_control_word", encoder1ControlWord_, 0, 65535, "0..65535");
+  if (!((encoder1ControlWord_ & 65535) === encoder1ControlWord_)) throw refusedNumber("encoder_1_control_word", encoder1ControlWord_, "0..65535");
   b[o + 11] = encoder1ControlWord_;
   b[o + 10] = encoder1ControlWord_ >>> 8;
 }
@@ -1948,6 +1986,7 @@ export const Telegram102Request = /* @__PURE__ */ record({
 });
 
 function readTelegram102Response(b, o) {
+  o &= 0x7fffffff;
   return {
     statusWord1: ((b[o] << 8) | b[o + 1]),
     speedActualB: ((b[o + 2] << 24) | (b[o + 3] << 16) | (b[o + 4] << 8) | b[o + 5]),
@@ -1959,36 +1998,37 @@ function readTelegram102Response(b, o) {
   };
 }
 function writeTelegram102Response(value, b, o) {
+  o &= 0x7fffffff;
   const statusWord1_ = value.statusWord1;
-  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, 0, 65535, "0..65535");
+  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, "0..65535");
   b[o + 1] = statusWord1_;
   b[o] = statusWord1_ >>> 8;
   const speedActualB_ = value.speedActualB;
-  if (!((speedActualB_ | 0) === speedActualB_)) throw refusedNumber("speed_actual_b", speedActualB_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((speedActualB_ | 0) === speedActualB_)) throw refusedNumber("speed_actual_b", speedActualB_, "-2147483648..2147483647");
   b[o + 5] = speedActualB_;
   b[o + 4] = speedActualB_ >>> 8;
   b[o + 3] = speedActualB_ >>> 16;
   b[o + 2] = speedActualB_ >>> 24;
   const statusWord2_ = value.statusWord2;
-  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, 0, 65535, "0..65535");
+  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, "0..65535");
   b[o + 7] = statusWord2_;
   b[o + 6] = statusWord2_ >>> 8;
   const messageWord_ = value.messageWord;
-  if (!((messageWord_ & 65535) === messageWord_)) throw refusedNumber("message_word", messageWord_, 0, 65535, "0..65535");
+  if (!((messageWord_ & 65535) === messageWord_)) throw refusedNumber("message_word", messageWord_, "0..65535");
   b[o + 9] = messageWord_;
   b[o + 8] = messageWord_ >>> 8;
   const encoder1StatusWord_ = value.encoder1StatusWord;
-  if (!((encoder1StatusWord_ & 65535) === encoder1StatusWord_)) throw refusedNumber("encoder_1_status_word", encoder1StatusWord_, 0, 65535, "0..65535");
+  if (!((encoder1StatusWord_ & 65535) === encoder1StatusWord_)) throw refusedNumber("encoder_1_status_word", encoder1StatusWord_, "0..65535");
   b[o + 11] = encoder1StatusWord_;
   b[o + 10] = encoder1StatusWord_ >>> 8;
   const encoder1Position1_ = value.encoder1Position1;
-  if (!((encoder1Position1_ | 0) === encoder1Position1_)) throw refusedNumber("encoder_1_position_1", encoder1Position1_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((encoder1Position1_ | 0) === encoder1Position1_)) throw refusedNumber("encoder_1_position_1", encoder1Position1_, "-2147483648..2147483647");
   b[o + 15] = encoder1Position1_;
   b[o + 14] = encoder1Position1_ >>> 8;
   b[o + 13] = encoder1Position1_ >>> 16;
   b[o + 12] = encoder1Position1_ >>> 24;
   const encoder1Position2_ = value.encoder1Position2;
-  if (!((encoder1Position2_ | 0) === encoder1Position2_)) throw refusedNumber("encoder_1_position_2", encoder1Position2_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((encoder1Position2_ | 0) === encoder1Position2_)) throw refusedNumber("encoder_1_position_2", encoder1Position2_, "-2147483648..2147483647");
   b[o + 19] = encoder1Position2_;
   b[o + 18] = encoder1Position2_ >>> 8;
   b[o + 17] = encoder1Position2_ >>> 16;
@@ -2012,6 +2052,7 @@ export const Telegram102Response = /* @__PURE__ */ record({
 export const Telegram102 = /* @__PURE__ */ message("telegram_102", null, Telegram102Request, Telegram102Response, 102);
 
 function readTelegram105Request(b, o) {
+  o &= 0x7fffffff;
   return {
     controlWord1: ((b[o] << 8) | b[o + 1]),
     speedSetpointB: ((b[o + 2] << 24) | (b[o + 3] << 16) | (b[o + 4] << 8) | b[o + 5]),
@@ -2023,36 +2064,37 @@ function readTelegram105Request(b, o) {
   };
 }
 function writeTelegram105Request(value, b, o) {
+  o &= 0x7fffffff;
   const controlWord1_ = value.controlWord1;
-  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, 0, 65535, "0..65535");
+  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, "0..65535");
   b[o + 1] = controlWord1_;
   b[o] = controlWord1_ >>> 8;
   const speedSetpointB_ = value.speedSetpointB;
-  if (!((speedSetpointB_ | 0) === speedSetpointB_)) throw refusedNumber("speed_setpoint_b", speedSetpointB_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((speedSetpointB_ | 0) === speedSetpointB_)) throw refusedNumber("speed_setpoint_b", speedSetpointB_, "-2147483648..2147483647");
   b[o + 5] = speedSetpointB_;
   b[o + 4] = speedSetpointB_ >>> 8;
   b[o + 3] = speedSetpointB_ >>> 16;
   b[o + 2] = speedSetpointB_ >>> 24;
   const controlWord2_ = value.controlWord2;
-  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, 0, 65535, "0..65535");
+  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, "0..65535");
   b[o + 7] = controlWord2_;
   b[o + 6] = controlWord2_ >>> 8;
   const torqueReduction_ = value.torqueReduction;
-  if (!((torqueReduction_ & 65535) === torqueReduction_ && torqueReduction_ <= 16384)) throw refusedNumber("torque_reduction", torqueReduction_, 0, 65535, "0..16384");
+  if (!((torqueReduction_ & 65535) === torqueReduction_ && torqueReduction_ <= 16384)) throw refusedNumber("torque_reduction", torqueReduction_, "0..16384");
   b[o + 9] = torqueReduction_;
   b[o + 8] = torqueReduction_ >>> 8;
   const encoder1ControlWord_ = value.encoder1ControlWord;
-  if (!((encoder1ControlWord_ & 65535) === encoder1ControlWord_)) throw refusedNumber("encoder_1_control_word", encoder1ControlWord_, 0, 65535, "0..65535");
+  if (!((encoder1ControlWord_ & 65535) === encoder1ControlWord_)) throw refusedNumber("encoder_1_control_word", encoder1ControlWord_, "0..65535");
   b[o + 11] = encoder1ControlWord_;
   b[o + 10] = encoder1ControlWord_ >>> 8;
   const positionError_ = value.positionError;
-  if (!((positionError_ | 0) === positionError_)) throw refusedNumber("position_error", positionError_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((positionError_ | 0) === positionError_)) throw refusedNumber("position_error", positionError_, "-2147483648..2147483647");
   b[o + 15] = positionError_;
   b[o + 14] = positionError_ >>> 8;
   b[o + 13] = positionError_ >>> 16;
   b[o + 12] = positionError_ >>> 24;
   const positionControllerGain_ = value.positionControllerGain;
-  if (!((positionControllerGain_ | 0) === positionControllerGain_)) throw refusedNumber("position_controller_gain", positionControllerGain_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((positionControllerGain_ | 0) === positionControllerGain_)) throw refusedNumber("position_controller_gain", positionControllerGain_, "-2147483648..2147483647");
   b[o + 19] = positionControllerGain_;
   b[o + 18] = positionControllerGain_ >>> 8;
   b[o + 17] = positionControllerGain_ >>> 16;
@@ -2075,6 +2117,7 @@ export const Telegram105Request = /* @__PURE__ */ record({
 });
 
 function readTelegram105Response(b, o) {
+  o &= 0x7fffffff;
   return {
     statusWord1: ((b[o] << 8) | b[o + 1]),
     speedActualB: ((b[o + 2] << 24) | (b[o + 3] << 16) | (b[o + 4] << 8) | b[o + 5]),
@@ -2086,36 +2129,37 @@ function readTelegram105Response(b, o) {
   };
 }
 function writeTelegram105Response(value, b, o) {
+  o &= 0x7fffffff;
   const statusWord1_ = value.statusWord1;
-  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, 0, 65535, "0..65535");
+  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, "0..65535");
   b[o + 1] = statusWord1_;
   b[o] = statusWord1_ >>> 8;
   const speedActualB_ = value.speedActualB;
-  if (!((speedActualB_ | 0) === speedActualB_)) throw refusedNumber("speed_actual_b", speedActualB_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((speedActualB_ | 0) === speedActualB_)) throw refusedNumber("speed_actual_b", speedActualB_, "-2147483648..2147483647");
   b[o + 5] = speedActualB_;
   b[o + 4] = speedActualB_ >>> 8;
   b[o + 3] = speedActualB_ >>> 16;
   b[o + 2] = speedActualB_ >>> 24;
   const statusWord2_ = value.statusWord2;
-  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, 0, 65535, "0..65535");
+  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, "0..65535");
   b[o + 7] = statusWord2_;
   b[o + 6] = statusWord2_ >>> 8;
   const messageWord_ = value.messageWord;
-  if (!((messageWord_ & 65535) === messageWord_)) throw refusedNumber("message_word", messageWord_, 0, 65535, "0..65535");
+  if (!((messageWord_ & 65535) === messageWord_)) throw refusedNumber("message_word", messageWord_, "0..65535");
   b[o + 9] = messageWord_;
   b[o + 8] = messageWord_ >>> 8;
   const encoder1StatusWord_ = value.encoder1StatusWord;
-  if (!((encoder1StatusWord_ & 65535) === encoder1StatusWord_)) throw refusedNumber("encoder_1_status_word", encoder1StatusWord_, 0, 65535, "0..65535");
+  if (!((encoder1StatusWord_ & 65535) === encoder1StatusWord_)) throw refusedNumber("encoder_1_status_word", encoder1StatusWord_, "0..65535");
   b[o + 11] = encoder1StatusWord_;
   b[o + 10] = encoder1StatusWord_ >>> 8;
   const encoder1Position1_ = value.encoder1Position1;
-  if (!((encoder1Position1_ | 0) === encoder1Position1_)) throw refusedNumber("encoder_1_position_1", encoder1Position1_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((encoder1Position1_ | 0) === encoder1Position1_)) throw refusedNumber("encoder_1_position_1", encoder1Position1_, "-2147483648..2147483647");
   b[o + 15] = encoder1Position1_;
   b[o + 14] = encoder1Position1_ >>> 8;
   b[o + 13] = encoder1Position1_ >>> 16;
   b[o + 12] = encoder1Position1_ >>> 24;
   const encoder1Position2_ = value.encoder1Position2;
-  if (!((encoder1Position2_ | 0) === encoder1Position2_)) throw refusedNumber("encoder_1_position_2", encoder1Position2_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((encoder1Position2_ | 0) === encoder1Position2_)) throw refusedNumber("encoder_1_position_2", encoder1Position2_, "-2147483648..2147483647");
   b[o + 19] = encoder1Position2_;
   b[o + 18] = encoder1Position2_ >>> 8;
   b[o + 17] = encoder1Position2_ >>> 16;
@@ -2139,6 +2183,7 @@ export const Telegram105Response = /* @__PURE__ */ record({
 export const Telegram105 = /* @__PURE__ */ message("telegram_105", null, Telegram105Request, Telegram105Response, 105);
 
 function readTelegram111Request(b, o) {
+  o &= 0x7fffffff;
   return {
     controlWord1: ((b[o] << 8) | b[o + 1]),
     positioningControlWord1: ((b[o + 2] << 8) | b[o + 3]),
@@ -2152,44 +2197,45 @@ function readTelegram111Request(b, o) {
   };
 }
 function writeTelegram111Request(value, b, o) {
+  o &= 0x7fffffff;
   const controlWord1_ = value.controlWord1;
-  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, 0, 65535, "0..65535");
+  if (!((controlWord1_ & 65535) === controlWord1_)) throw refusedNumber("control_word_1", controlWord1_, "0..65535");
   b[o + 1] = controlWord1_;
   b[o] = controlWord1_ >>> 8;
   const positioningControlWord1_ = value.positioningControlWord1;
-  if (!((positioningControlWord1_ & 65535) === positioningControlWord1_)) throw refusedNumber("positioning_control_word_1", positioningControlWord1_, 0, 65535, "0..65535");
+  if (!((positioningControlWord1_ & 65535) === positioningControlWord1_)) throw refusedNumber("positioning_control_word_1", positioningControlWord1_, "0..65535");
   b[o + 3] = positioningControlWord1_;
   b[o + 2] = positioningControlWord1_ >>> 8;
   const positioningControlWord2_ = value.positioningControlWord2;
-  if (!((positioningControlWord2_ & 65535) === positioningControlWord2_)) throw refusedNumber("positioning_control_word_2", positioningControlWord2_, 0, 65535, "0..65535");
+  if (!((positioningControlWord2_ & 65535) === positioningControlWord2_)) throw refusedNumber("positioning_control_word_2", positioningControlWord2_, "0..65535");
   b[o + 5] = positioningControlWord2_;
   b[o + 4] = positioningControlWord2_ >>> 8;
   const controlWord2_ = value.controlWord2;
-  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, 0, 65535, "0..65535");
+  if (!((controlWord2_ & 65535) === controlWord2_)) throw refusedNumber("control_word_2", controlWord2_, "0..65535");
   b[o + 7] = controlWord2_;
   b[o + 6] = controlWord2_ >>> 8;
   const velocityOverride_ = value.velocityOverride;
-  if (!((velocityOverride_ & 65535) === velocityOverride_ && velocityOverride_ <= 32767)) throw refusedNumber("velocity_override", velocityOverride_, 0, 65535, "0..32767");
+  if (!((velocityOverride_ & 65535) === velocityOverride_ && velocityOverride_ <= 32767)) throw refusedNumber("velocity_override", velocityOverride_, "0..32767");
   b[o + 9] = velocityOverride_;
   b[o + 8] = velocityOverride_ >>> 8;
   const mdiTargetPosition_ = value.mdiTargetPosition;
-  if (!((mdiTargetPosition_ | 0) === mdiTargetPosition_)) throw refusedNumber("mdi_target_position", mdiTargetPosition_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((mdiTargetPosition_ | 0) === mdiTargetPosition_)) throw refusedNumber("mdi_target_position", mdiTargetPosition_, "-2147483648..2147483647");
   b[o + 13] = mdiTargetPosition_;
   b[o + 12] = mdiTargetPosition_ >>> 8;
   b[o + 11] = mdiTargetPosition_ >>> 16;
   b[o + 10] = mdiTargetPosition_ >>> 24;
   const mdiVelocity_ = value.mdiVelocity;
-  if (!((mdiVelocity_ | 0) === mdiVelocity_ && mdiVelocity_ >= 0)) throw refusedNumber("mdi_velocity", mdiVelocity_, -2147483648, 2147483647, "0..2147483647");
+  if (!((mdiVelocity_ | 0) === mdiVelocity_ && mdiVelocity_ >= 0)) throw refusedNumber("mdi_velocity", mdiVelocity_, "0..2147483647");
   b[o + 17] = mdiVelocity_;
   b[o + 16] = mdiVelocity_ >>> 8;
   b[o + 15] = mdiVelocity_ >>> 16;
   b[o + 14] = mdiVelocity_ >>> 24;
   const mdiAcceleration_ = value.mdiAcceleration;
-  if (!((mdiAcceleration_ & 65535) === mdiAcceleration_ && mdiAcceleration_ <= 16384)) throw refusedNumber("mdi_acceleration", mdiAcceleration_, 0, 65535, "0..16384");
+  if (!((mdiAcceleration_ & 65535) === mdiAcceleration_ && mdiAcceleration_ <= 16384)) throw refusedNumber("mdi_acceleration", mdiAcceleration_, "0..16384");
   b[o + 19] = mdiAcceleration_;
   b[o + 18] = mdiAcceleration_ >>> 8;
   const mdiDeceleration_ = value.mdiDeceleration;
-  if (!((mdiDeceleration_ & 65535) === mdiDeceleration_ && mdiDeceleration_ <= 16384)) throw refusedNumber("mdi_deceleration", mdiDeceleration_, 0, 65535, "0..16384");
+  if (!((mdiDeceleration_ & 65535) === mdiDeceleration_ && mdiDeceleration_ <= 16384)) throw refusedNumber("mdi_deceleration", mdiDeceleration_, "0..16384");
   b[o + 21] = mdiDeceleration_;
   b[o + 20] = mdiDeceleration_ >>> 8;
 }
@@ -2210,6 +2256,7 @@ export const Telegram111Request = /* @__PURE__ */ record({
 });
 
 function readTelegram111Response(b, o) {
+  o &= 0x7fffffff;
   return {
     statusWord1: ((b[o] << 8) | b[o + 1]),
     positioningStatusWord1: ((b[o + 2] << 8) | b[o + 3]),
@@ -2223,44 +2270,45 @@ function readTelegram111Response(b, o) {
   };
 }
 function writeTelegram111Response(value, b, o) {
+  o &= 0x7fffffff;
   const statusWord1_ = value.statusWord1;
-  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, 0, 65535, "0..65535");
+  if (!((statusWord1_ & 65535) === statusWord1_)) throw refusedNumber("status_word_1", statusWord1_, "0..65535");
   b[o + 1] = statusWord1_;
   b[o] = statusWord1_ >>> 8;
   const positioningStatusWord1_ = value.positioningStatusWord1;
-  if (!((positioningStatusWord1_ & 65535) === positioningStatusWord1_)) throw refusedNumber("positioning_status_word_1", positioningStatusWord1_, 0, 65535, "0..65535");
+  if (!((positioningStatusWord1_ & 65535) === positioningStatusWord1_)) throw refusedNumber("positioning_status_word_1", positioningStatusWord1_, "0..65535");
   b[o + 3] = positioningStatusWord1_;
   b[o + 2] = positioningStatusWord1_ >>> 8;
   const positioningStatusWord2_ = value.positioningStatusWord2;
-  if (!((positioningStatusWord2_ & 65535) === positioningStatusWord2_)) throw refusedNumber("positioning_status_word_2", positioningStatusWord2_, 0, 65535, "0..65535");
+  if (!((positioningStatusWord2_ & 65535) === positioningStatusWord2_)) throw refusedNumber("positioning_status_word_2", positioningStatusWord2_, "0..65535");
   b[o + 5] = positioningStatusWord2_;
   b[o + 4] = positioningStatusWord2_ >>> 8;
   const statusWord2_ = value.statusWord2;
-  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, 0, 65535, "0..65535");
+  if (!((statusWord2_ & 65535) === statusWord2_)) throw refusedNumber("status_word_2", statusWord2_, "0..65535");
   b[o + 7] = statusWord2_;
   b[o + 6] = statusWord2_ >>> 8;
   const messageWord_ = value.messageWord;
-  if (!((messageWord_ & 65535) === messageWord_)) throw refusedNumber("message_word", messageWord_, 0, 65535, "0..65535");
+  if (!((messageWord_ & 65535) === messageWord_)) throw refusedNumber("message_word", messageWord_, "0..65535");
   b[o + 9] = messageWord_;
   b[o + 8] = messageWord_ >>> 8;
   const positionActualA_ = value.positionActualA;
-  if (!((positionActualA_ | 0) === positionActualA_)) throw refusedNumber("position_actual_a", positionActualA_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((positionActualA_ | 0) === positionActualA_)) throw refusedNumber("position_actual_a", positionActualA_, "-2147483648..2147483647");
   b[o + 13] = positionActualA_;
   b[o + 12] = positionActualA_ >>> 8;
   b[o + 11] = positionActualA_ >>> 16;
   b[o + 10] = positionActualA_ >>> 24;
   const speedActualB_ = value.speedActualB;
-  if (!((speedActualB_ | 0) === speedActualB_)) throw refusedNumber("speed_actual_b", speedActualB_, -2147483648, 2147483647, "-2147483648..2147483647");
+  if (!((speedActualB_ | 0) === speedActualB_)) throw refusedNumber("speed_actual_b", speedActualB_, "-2147483648..2147483647");
   b[o + 17] = speedActualB_;
   b[o + 16] = speedActualB_ >>> 8;
   b[o + 15] = speedActualB_ >>> 16;
   b[o + 14] = speedActualB_ >>> 24;
   const faultCode_ = value.faultCode;
-  if (!((faultCode_ & 65535) === faultCode_)) throw refusedNumber("fault_code", faultCode_, 0, 65535, "0..65535");
+  if (!((faultCode_ & 65535) === faultCode_)) throw refusedNumber("fault_code", faultCode_, "0..65535");
   b[o + 19] = faultCode_;
   b[o + 18] = faultCode_ >>> 8;
   const warningCode_ = value.warningCode;
-  if (!((warningCode_ & 65535) === warningCode_)) throw refusedNumber("warning_code", warningCode_, 0, 65535, "0..65535");
+  if (!((warningCode_ & 65535) === warningCode_)) throw refusedNumber("warning_code", warningCode_, "0..65535");
   b[o + 21] = warningCode_;
   b[o + 20] = warningCode_ >>> 8;
 }
@@ -2282,6 +2330,7 @@ export const Telegram111Response = /* @__PURE__ */ record({
 export const Telegram111 = /* @__PURE__ */ message("telegram_111", null, Telegram111Request, Telegram111Response, 111);
 
 function readTelegram750Request(b, o) {
+  o &= 0x7fffffff;
   return {
     additionalTorque: (((b[o] << 8) | b[o + 1]) << 16) >> 16,
     positiveTorqueLimit: (((b[o + 2] << 8) | b[o + 3]) << 16) >> 16,
@@ -2289,16 +2338,17 @@ function readTelegram750Request(b, o) {
   };
 }
 function writeTelegram750Request(value, b, o) {
+  o &= 0x7fffffff;
   const additionalTorque_ = value.additionalTorque;
-  if (!((additionalTorque_ | 0) === additionalTorque_ && additionalTorque_ >= -32768 && additionalTorque_ <= 32767)) throw refusedNumber("additional_torque", additionalTorque_, -32768, 32767, "-32768..32767");
+  if (!((additionalTorque_ | 0) === additionalTorque_ && additionalTorque_ >= -32768 && additionalTorque_ <= 32767)) throw refusedNumber("additional_torque", additionalTorque_, "-32768..32767");
   b[o + 1] = additionalTorque_;
   b[o] = additionalTorque_ >>> 8;
   const positiveTorqueLimit_ = value.positiveTorqueLimit;
-  if (!((positiveTorqueLimit_ | 0) === positiveTorqueLimit_ && positiveTorqueLimit_ >= -32768 && positiveTorqueLimit_ <= 32767 && positiveTorqueLimit_ >= 0)) throw refusedNumber("positive_torque_limit", positiveTorqueLimit_, -32768, 32767, "0..32767");
+  if (!((positiveTorqueLimit_ | 0) === positiveTorqueLimit_ && positiveTorqueLimit_ >= -32768 && positiveTorqueLimit_ <= 32767 && positiveTorqueLimit_ >= 0)) throw refusedNumber("positive_torque_limit", positiveTorqueLimit_, "0..32767");
   b[o + 3] = positiveTorqueLimit_;
   b[o + 2] = positiveTorqueLimit_ >>> 8;
   const negativeTorqueLimit_ = value.negativeTorqueLimit;
-  if (!((negativeTorqueLimit_ | 0) === negativeTorqueLimit_ && negativeTorqueLimit_ >= -32768 && negativeTorqueLimit_ <= 32767 && negativeTorqueLimit_ <= 0)) throw refusedNumber("negative_torque_limit", negativeTorqueLimit_, -32768, 32767, "-32768..0");
+  if (!((negativeTorqueLimit_ | 0) === negativeTorqueLimit_ && negativeTorqueLimit_ >= -32768 && negativeTorqueLimit_ <= 32767 && negativeTorqueLimit_ <= 0)) throw refusedNumber("negative_torque_limit", negativeTorqueLimit_, "-32768..0");
   b[o + 5] = negativeTorqueLimit_;
   b[o + 4] = negativeTorqueLimit_ >>> 8;
 }
@@ -2325,7 +2375,7 @@ function readTelegram750Response(b, o) {
 }
 function writeTelegram750Response(value, b, o) {
   const torqueActual_ = value.torqueActual;
-  if (!((torqueActual_ | 0) === torqueActual_ && torqueActual_ >= -32768 && torqueActual_ <= 32767)) throw refusedNumber("torque_actual", torqueActual_, -32768, 32767, "-32768..32767");
+  if (!((torqueActual_ | 0) === torqueActual_ && torqueActual_ >= -32768 && torqueActual_ <= 32767)) throw refusedNumber("torque_actual", torqueActual_, "-32768..32767");
   b[o + 1] = torqueActual_;
   b[o] = torqueActual_ >>> 8;
 }
@@ -2444,54 +2494,54 @@ export const overriddenVelocity = /* @__PURE__ */ conversion({ full: 16384n, com
 
 export const DriveParameters = /* @__PURE__ */ parameterSet("drive_parameters", {
   motorType: /* @__PURE__ */ parameter("motor_type", 12288, 0, "ro", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 2)) throw wrongNumber("unknown_value", "motor_type", number, "which motor_type does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 2))) throw refusedMember("motor_type", value, "motor_type", false); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3000h" }),
-  innerEncoderResolution: /* @__PURE__ */ parameter("inner_encoder_resolution", 12289, 0, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("inner_encoder_resolution", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3001h" }),
-  digitalOutputs: /* @__PURE__ */ parameter("digital_outputs", 12356, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 31)) throw refusedNumber("digital_outputs", value, 0, 65535, "0..31"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 31]] }), printedName: "3044h" }),
-  softwareState12: /* @__PURE__ */ parameter("software_state_12", 12374, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("software_state_12", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3056h" }),
+  innerEncoderResolution: /* @__PURE__ */ parameter("inner_encoder_resolution", 12289, 0, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("inner_encoder_resolution", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3001h" }),
+  digitalOutputs: /* @__PURE__ */ parameter("digital_outputs", 12356, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 31)) throw refusedNumber("digital_outputs", value, "0..31"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 31]] }), printedName: "3044h" }),
+  softwareState12: /* @__PURE__ */ parameter("software_state_12", 12374, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("software_state_12", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3056h" }),
   gantryApplicationMode: /* @__PURE__ */ parameter("gantry_application_mode", 12375, 0, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!((number >= 1 && number <= 2) || number === 11)) throw wrongNumber("unknown_value", "gantry_application_mode", number, "which gantry_application_mode does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && ((value >= 1 && value <= 2) || value === 11))) throw refusedMember("gantry_application_mode", value, "gantry_application_mode", false); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3057h" }),
-  yawTargetPosition: /* @__PURE__ */ parameter("yaw_target_position", 12376, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("yaw_target_position", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }), printedName: "3058h" }),
-  yawFeedbackPosition: /* @__PURE__ */ parameter("yaw_feedback_position", 12377, 0, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("yaw_feedback_position", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }), printedName: "3059h" }),
-  masterFeedbackPosition: /* @__PURE__ */ parameter("master_feedback_position", 12378, 0, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("master_feedback_position", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }), printedName: "305Ah" }),
-  slaveFeedbackPosition: /* @__PURE__ */ parameter("slave_feedback_position", 12379, 0, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("slave_feedback_position", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }), printedName: "305Bh" }),
-  referenceMarkFunctions: /* @__PURE__ */ parameter("reference_mark_functions", 12384, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 3)) throw refusedNumber("reference_mark_functions", value, 0, 65535, "0..3"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 3]] }), printedName: "3060h" }),
+  yawTargetPosition: /* @__PURE__ */ parameter("yaw_target_position", 12376, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("yaw_target_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }), printedName: "3058h" }),
+  yawFeedbackPosition: /* @__PURE__ */ parameter("yaw_feedback_position", 12377, 0, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("yaw_feedback_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }), printedName: "3059h" }),
+  masterFeedbackPosition: /* @__PURE__ */ parameter("master_feedback_position", 12378, 0, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("master_feedback_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }), printedName: "305Ah" }),
+  slaveFeedbackPosition: /* @__PURE__ */ parameter("slave_feedback_position", 12379, 0, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("slave_feedback_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }), printedName: "305Bh" }),
+  referenceMarkFunctions: /* @__PURE__ */ parameter("reference_mark_functions", 12384, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 3)) throw refusedNumber("reference_mark_functions", value, "0..3"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 3]] }), printedName: "3060h" }),
   positionTriggerEnabled: /* @__PURE__ */ parameter("position_trigger_enabled", 12385, 0, "rw", (b, o) => booleanOf("position_trigger_enabled", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("position_trigger_enabled", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; }, { type: "bool16", kind: "boolean", size: 2, signed: false, places: [0, 1], printedName: "3061h" }),
-  overtravelStopMode: /* @__PURE__ */ parameter("overtravel_stop_mode", 12386, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 1)) throw refusedNumber("overtravel_stop_mode", value, 0, 65535, "0..1"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1]] }), printedName: "3062h" }),
-  speedAnalogInputVoltage: /* @__PURE__ */ parameter("speed_analog_input_voltage", 12387, 0, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("speed_analog_input_voltage", value, -32768, 32767, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3063h" }),
-  speedAnalogInputOffset: /* @__PURE__ */ parameter("speed_analog_input_offset", 12388, 0, "rw", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("speed_analog_input_offset", value, -32768, 32767, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3064h" }),
-  torqueAnalogInputVoltage: /* @__PURE__ */ parameter("torque_analog_input_voltage", 12389, 0, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("torque_analog_input_voltage", value, -32768, 32767, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3065h" }),
-  torqueAnalogInputOffset: /* @__PURE__ */ parameter("torque_analog_input_offset", 12390, 0, "rw", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("torque_analog_input_offset", value, -32768, 32767, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3066h" }),
-  analogOutput1Voltage: /* @__PURE__ */ parameter("analog_output_1_voltage", 12391, 0, "rw", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("analog_output_1_voltage", value, -32768, 32767, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3067h" }),
-  analogOutput2Voltage: /* @__PURE__ */ parameter("analog_output_2_voltage", 12392, 0, "rw", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("analog_output_2_voltage", value, -32768, 32767, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3068h" }),
-  positionTriggerArrayValue: /* @__PURE__ */ parameter("position_trigger_array_value", 12393, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("position_trigger_array_value", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], units: /* @__PURE__ */ unit({ unit: "increment", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }), printedName: "3069h" }),
-  positionTriggerArrayIndex: /* @__PURE__ */ parameter("position_trigger_array_index", 12394, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 255)) throw refusedNumber("position_trigger_array_index", value, 0, 65535, "0..255"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 255]] }), printedName: "306Ah" }),
-  positionTriggerArrayControl: /* @__PURE__ */ parameter("position_trigger_array_control", 12395, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("position_trigger_array_control", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "306Bh" }),
-  positionTriggerError: /* @__PURE__ */ parameter("position_trigger_error", 12396, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("position_trigger_error", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "306Ch" }),
-  positionTriggerStatus: /* @__PURE__ */ parameter("position_trigger_status", 12397, 0, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= 0)) throw refusedNumber("position_trigger_status", value, -32768, 32767, "0..32767"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 32767]] }), printedName: "306Dh" }),
-  expectedPositionTriggerCount: /* @__PURE__ */ parameter("expected_position_trigger_count", 12398, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("expected_position_trigger_count", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "306Eh" }),
-  positionTriggerCount: /* @__PURE__ */ parameter("position_trigger_count", 12399, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("position_trigger_count", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "306Fh" }),
-  remainingPositionTriggerCount: /* @__PURE__ */ parameter("remaining_position_trigger_count", 12400, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("remaining_position_trigger_count", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3070h" }),
-  gantryParameterIndex: /* @__PURE__ */ parameter("gantry_parameter_index", 12416, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 8192 && value <= 20479)) throw refusedNumber("gantry_parameter_index", value, 0, 65535, "8192..20479"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[8192, 20479]] }), printedName: "3080h" }),
-  gantryParameterSubindex: /* @__PURE__ */ parameter("gantry_parameter_subindex", 12417, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value === 0)) throw refusedNumber("gantry_parameter_subindex", value, 0, 65535, "0"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 0]] }), printedName: "3081h" }),
-  gantryParameterType: /* @__PURE__ */ parameter("gantry_parameter_type", 12418, 0, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -3 && value <= 8)) throw refusedNumber("gantry_parameter_type", value, -32768, 32767, "-3..8"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-3, 8]] }), printedName: "3082h" }),
+  overtravelStopMode: /* @__PURE__ */ parameter("overtravel_stop_mode", 12386, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 1)) throw refusedNumber("overtravel_stop_mode", value, "0..1"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1]] }), printedName: "3062h" }),
+  speedAnalogInputVoltage: /* @__PURE__ */ parameter("speed_analog_input_voltage", 12387, 0, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("speed_analog_input_voltage", value, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3063h" }),
+  speedAnalogInputOffset: /* @__PURE__ */ parameter("speed_analog_input_offset", 12388, 0, "rw", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("speed_analog_input_offset", value, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3064h" }),
+  torqueAnalogInputVoltage: /* @__PURE__ */ parameter("torque_analog_input_voltage", 12389, 0, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("torque_analog_input_voltage", value, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3065h" }),
+  torqueAnalogInputOffset: /* @__PURE__ */ parameter("torque_analog_input_offset", 12390, 0, "rw", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("torque_analog_input_offset", value, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3066h" }),
+  analogOutput1Voltage: /* @__PURE__ */ parameter("analog_output_1_voltage", 12391, 0, "rw", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("analog_output_1_voltage", value, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3067h" }),
+  analogOutput2Voltage: /* @__PURE__ */ parameter("analog_output_2_voltage", 12392, 0, "rw", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -10000 && value <= 10000)) throw refusedNumber("analog_output_2_voltage", value, "-10000..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], units: /* @__PURE__ */ unit({ unit: "mV", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-10000n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-10000, 10000]] }), printedName: "3068h" }),
+  positionTriggerArrayValue: /* @__PURE__ */ parameter("position_trigger_array_value", 12393, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("position_trigger_array_value", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], units: /* @__PURE__ */ unit({ unit: "increment", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }), printedName: "3069h" }),
+  positionTriggerArrayIndex: /* @__PURE__ */ parameter("position_trigger_array_index", 12394, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 255)) throw refusedNumber("position_trigger_array_index", value, "0..255"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 255]] }), printedName: "306Ah" }),
+  positionTriggerArrayControl: /* @__PURE__ */ parameter("position_trigger_array_control", 12395, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("position_trigger_array_control", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "306Bh" }),
+  positionTriggerError: /* @__PURE__ */ parameter("position_trigger_error", 12396, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("position_trigger_error", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "306Ch" }),
+  positionTriggerStatus: /* @__PURE__ */ parameter("position_trigger_status", 12397, 0, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= 0)) throw refusedNumber("position_trigger_status", value, "0..32767"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 32767]] }), printedName: "306Dh" }),
+  expectedPositionTriggerCount: /* @__PURE__ */ parameter("expected_position_trigger_count", 12398, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("expected_position_trigger_count", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "306Eh" }),
+  positionTriggerCount: /* @__PURE__ */ parameter("position_trigger_count", 12399, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("position_trigger_count", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "306Fh" }),
+  remainingPositionTriggerCount: /* @__PURE__ */ parameter("remaining_position_trigger_count", 12400, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("remaining_position_trigger_count", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3070h" }),
+  gantryParameterIndex: /* @__PURE__ */ parameter("gantry_parameter_index", 12416, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 8192 && value <= 20479)) throw refusedNumber("gantry_parameter_index", value, "8192..20479"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[8192, 20479]] }), printedName: "3080h" }),
+  gantryParameterSubindex: /* @__PURE__ */ parameter("gantry_parameter_subindex", 12417, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value === 0)) throw refusedNumber("gantry_parameter_subindex", value, "0"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 0]] }), printedName: "3081h" }),
+  gantryParameterType: /* @__PURE__ */ parameter("gantry_parameter_type", 12418, 0, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -3 && value <= 8)) throw refusedNumber("gantry_parameter_type", value, "-3..8"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-3, 8]] }), printedName: "3082h" }),
   gantryParameterCommand: /* @__PURE__ */ parameter("gantry_parameter_command", 12419, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && (value <= 3))) throw refusedMember("gantry_parameter_command", value, "gantry_parameter_command", false); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3083h" }),
   gantryParameterStatus: /* @__PURE__ */ parameter("gantry_parameter_status", 12420, 0, "ro", (b, o) => { const number = (((b[o] << 8) | b[o + 1]) << 16) >> 16; if (!(number >= -6 && number <= 2)) throw wrongNumber("unknown_value", "gantry_parameter_status", number, "which gantry_parameter_status does not list", o); return number; }, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && (value >= -6 && value <= 2))) throw refusedMember("gantry_parameter_status", value, "gantry_parameter_status", false); b[o + 1] = value; b[o] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, places: [0, 1], printedName: "3084h" }),
-  gantryIntegerInput: /* @__PURE__ */ parameter("gantry_integer_input", 12421, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("gantry_integer_input", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3085h" }),
-  gantryIntegerOutput: /* @__PURE__ */ parameter("gantry_integer_output", 12422, 0, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("gantry_integer_output", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3086h" }),
+  gantryIntegerInput: /* @__PURE__ */ parameter("gantry_integer_input", 12421, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("gantry_integer_input", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3085h" }),
+  gantryIntegerOutput: /* @__PURE__ */ parameter("gantry_integer_output", 12422, 0, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("gantry_integer_output", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3086h" }),
   gantryFloatInput: /* @__PURE__ */ parameter("gantry_float_input", 12423, 0, "rw", (b, o) => floatOf((((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0)), (value, b, o) => { const valueRaw = bitsOf("gantry_float_input", value, null, []); b[o + 3] = valueRaw; b[o + 2] = valueRaw >>> 8; b[o + 1] = valueRaw >>> 16; b[o] = valueRaw >>> 24; }, { type: "f32", kind: "float", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3087h" }),
   gantryFloatOutput: /* @__PURE__ */ parameter("gantry_float_output", 12424, 0, "ro", (b, o) => floatOf((((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0)), (value, b, o) => { const valueRaw = bitsOf("gantry_float_output", value, null, []); b[o + 3] = valueRaw; b[o + 2] = valueRaw >>> 8; b[o + 1] = valueRaw >>> 16; b[o] = valueRaw >>> 24; }, { type: "f32", kind: "float", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3088h" }),
-  alarmStates: /* @__PURE__ */ parameters(5, "alarm_states", 12544, 0, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_states", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1] }),
-  driveWarnings1: /* @__PURE__ */ parameter("drive_warnings_1", 12560, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_warnings_1", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3110h" }),
-  driveWarnings2: /* @__PURE__ */ parameter("drive_warnings_2", 12561, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_warnings_2", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3111h" }),
-  operationWarnings: /* @__PURE__ */ parameter("operation_warnings", 12576, 0, "ro", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("operation_warnings", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], printedName: "3120h" }),
-  absoluteEncoderInitialization: /* @__PURE__ */ parameter("absolute_encoder_initialization", 12800, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value && ((value >= 0 && value <= 2) || value === 4 || value === 16 || value === 32))) throw refusedMember("absolute_encoder_initialization", value, "absolute_encoder_initialization", false); if (!((value | 0) === value && value >= 0 && value <= 1)) throw refusedNumber("absolute_encoder_initialization", value, -2147483648, 2147483647, "0..1"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3200h" }),
-  generalInteger1: /* @__PURE__ */ parameter("general_integer_1", 12801, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_1", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3201h" }),
-  generalInteger2: /* @__PURE__ */ parameter("general_integer_2", 12802, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_2", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3202h" }),
-  generalInteger3: /* @__PURE__ */ parameter("general_integer_3", 12803, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_3", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3203h" }),
-  generalInteger4: /* @__PURE__ */ parameter("general_integer_4", 12804, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_4", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3204h" }),
-  generalInteger5: /* @__PURE__ */ parameter("general_integer_5", 12805, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_5", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3205h" }),
-  generalInteger6: /* @__PURE__ */ parameter("general_integer_6", 12806, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_6", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3206h" }),
-  generalInteger7: /* @__PURE__ */ parameter("general_integer_7", 12807, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_7", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3207h" }),
-  generalInteger8: /* @__PURE__ */ parameter("general_integer_8", 12808, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_8", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3208h" }),
-  generalInteger9: /* @__PURE__ */ parameter("general_integer_9", 12809, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_9", value, -2147483648, 2147483647, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3209h" }),
+  alarmStates: /* @__PURE__ */ parameters(5, "alarm_states", 12544, 0, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_states", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1] }),
+  driveWarnings1: /* @__PURE__ */ parameter("drive_warnings_1", 12560, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_warnings_1", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3110h" }),
+  driveWarnings2: /* @__PURE__ */ parameter("drive_warnings_2", 12561, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_warnings_2", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "3111h" }),
+  operationWarnings: /* @__PURE__ */ parameter("operation_warnings", 12576, 0, "ro", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("operation_warnings", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], printedName: "3120h" }),
+  absoluteEncoderInitialization: /* @__PURE__ */ parameter("absolute_encoder_initialization", 12800, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value && ((value >= 0 && value <= 2) || value === 4 || value === 16 || value === 32))) throw refusedMember("absolute_encoder_initialization", value, "absolute_encoder_initialization", false); if (!((value | 0) === value && value >= 0 && value <= 1)) throw refusedNumber("absolute_encoder_initialization", value, "0..1"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3200h" }),
+  generalInteger1: /* @__PURE__ */ parameter("general_integer_1", 12801, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_1", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3201h" }),
+  generalInteger2: /* @__PURE__ */ parameter("general_integer_2", 12802, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_2", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3202h" }),
+  generalInteger3: /* @__PURE__ */ parameter("general_integer_3", 12803, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_3", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3203h" }),
+  generalInteger4: /* @__PURE__ */ parameter("general_integer_4", 12804, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_4", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3204h" }),
+  generalInteger5: /* @__PURE__ */ parameter("general_integer_5", 12805, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_5", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3205h" }),
+  generalInteger6: /* @__PURE__ */ parameter("general_integer_6", 12806, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_6", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3206h" }),
+  generalInteger7: /* @__PURE__ */ parameter("general_integer_7", 12807, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_7", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3207h" }),
+  generalInteger8: /* @__PURE__ */ parameter("general_integer_8", 12808, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_8", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3208h" }),
+  generalInteger9: /* @__PURE__ */ parameter("general_integer_9", 12809, 0, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("general_integer_9", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3209h" }),
   generalFloat0: /* @__PURE__ */ parameter("general_float_0", 12816, 0, "rw", (b, o) => floatOf((((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0)), (value, b, o) => { const valueRaw = bitsOf("general_float_0", value, null, []); b[o + 3] = valueRaw; b[o + 2] = valueRaw >>> 8; b[o + 1] = valueRaw >>> 16; b[o] = valueRaw >>> 24; }, { type: "f32", kind: "float", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3210h" }),
   generalFloat1: /* @__PURE__ */ parameter("general_float_1", 12817, 0, "rw", (b, o) => floatOf((((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0)), (value, b, o) => { const valueRaw = bitsOf("general_float_1", value, null, []); b[o + 3] = valueRaw; b[o + 2] = valueRaw >>> 8; b[o + 1] = valueRaw >>> 16; b[o] = valueRaw >>> 24; }, { type: "f32", kind: "float", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3211h" }),
   generalFloat2: /* @__PURE__ */ parameter("general_float_2", 12818, 0, "rw", (b, o) => floatOf((((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0)), (value, b, o) => { const valueRaw = bitsOf("general_float_2", value, null, []); b[o + 3] = valueRaw; b[o + 2] = valueRaw >>> 8; b[o + 1] = valueRaw >>> 16; b[o] = valueRaw >>> 24; }, { type: "f32", kind: "float", size: 4, signed: true, places: [0, 1, 2, 3], printedName: "3212h" }),
@@ -2503,49 +2553,49 @@ export const DriveParameters = /* @__PURE__ */ parameterSet("drive_parameters", 
 });
 
 export const MonitoringParameters = /* @__PURE__ */ parameterSet("monitoring_parameters", {
-  digitalOutputStates: /* @__PURE__ */ parameter("digital_output_states", 5, 16384, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("digital_output_states", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "Ut005" }),
-  alarm: /* @__PURE__ */ parameter("alarm", 149, 16384, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "Ut095" }),
-  warning: /* @__PURE__ */ parameter("warning", 150, 16384, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("warning", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "Ut096" }),
+  digitalOutputStates: /* @__PURE__ */ parameter("digital_output_states", 5, 16384, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("digital_output_states", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "Ut005" }),
+  alarm: /* @__PURE__ */ parameter("alarm", 149, 16384, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "Ut095" }),
+  warning: /* @__PURE__ */ parameter("warning", 150, 16384, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("warning", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "Ut096" }),
 });
 
 export const ProfidriveParameters = /* @__PURE__ */ parameterSet("profidrive_parameters", {
-  telegramSelection: /* @__PURE__ */ parameter("telegram_selection", 922, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("telegram_selection", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 0, printedName: "922" }),
-  signOfLifeFailureTolerance: /* @__PURE__ */ parameter("sign_of_life_failure_tolerance", 925, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("sign_of_life_failure_tolerance", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 5, printedName: "925" }),
+  telegramSelection: /* @__PURE__ */ parameter("telegram_selection", 922, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("telegram_selection", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 0, printedName: "922" }),
+  signOfLifeFailureTolerance: /* @__PURE__ */ parameter("sign_of_life_failure_tolerance", 925, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("sign_of_life_failure_tolerance", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 5, printedName: "925" }),
   operatingMode: /* @__PURE__ */ parameter("operating_mode", 930, 0, "ro", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number >= 1 && number <= 3)) throw wrongNumber("unknown_value", "operating_mode", number, "which operating_mode does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value >= 1 && value <= 3))) throw refusedMember("operating_mode", value, "operating_mode", false); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "930" }),
-  alarmCounter: /* @__PURE__ */ parameter("alarm_counter", 944, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_counter", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "944" }),
-  alarmCodes: /* @__PURE__ */ parameter("alarm_codes", 945, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_codes", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], elements: 64, printedName: "945" }),
-  internalAlarmCodes: /* @__PURE__ */ parameter("internal_alarm_codes", 947, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("internal_alarm_codes", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], elements: 64, printedName: "947" }),
-  alarmBufferCapacity: /* @__PURE__ */ parameter("alarm_buffer_capacity", 950, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_buffer_capacity", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], elements: 2, subindices: [{ name: "block_count", indices: [[0, 0]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_buffer_capacity.block_count", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "alarms_per_block", indices: [[1, 1]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_buffer_capacity.alarms_per_block", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }], printedName: "950" }),
-  alarmBlockCounter: /* @__PURE__ */ parameter("alarm_block_counter", 952, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_block_counter", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "952" }),
-  driveIdentification: /* @__PURE__ */ parameter("drive_identification", 964, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_identification", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], elements: 7, subindices: [{ name: "manufacturer", indices: [[0, 0]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (value !== 2730) throw wrongNumber("wrong_const", "drive_identification.manufacturer", value, "not 2730", null); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "drive_unit_type", indices: [[1, 1]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (value !== 5) throw wrongNumber("wrong_const", "drive_identification.drive_unit_type", value, "not 5", null); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "firmware_version", indices: [[2, 2]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_identification.firmware_version", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "firmware_year", indices: [[3, 3]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_identification.firmware_year", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "firmware_day_and_month", indices: [[4, 4]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_identification.firmware_day_and_month", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "drive_object_count", indices: [[5, 5]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (value !== 1) throw wrongNumber("wrong_const", "drive_identification.drive_object_count", value, "not 1", null); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "minor_firmware_version", indices: [[6, 6]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_identification.minor_firmware_version", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }], printedName: "964" }),
-  encoderFormat: /* @__PURE__ */ parameter("encoder_format", 979, 0, "ro", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], elements: 31, subindices: [{ name: "header", indices: [[0, 0]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.header", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "encoder_type", indices: [[1, 1]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.encoder_type", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "encoder_resolution", indices: [[2, 2]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.encoder_resolution", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "actual_position_1_shift", indices: [[3, 3]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.actual_position_1_shift", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "actual_position_2_shift", indices: [[4, 4]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.actual_position_2_shift", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "maximum_turn_count", indices: [[5, 5]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.maximum_turn_count", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "reserved", indices: [[6, 30]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.reserved", value, 0, 4294967295, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }], printedName: "979" }),
+  alarmCounter: /* @__PURE__ */ parameter("alarm_counter", 944, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_counter", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "944" }),
+  alarmCodes: /* @__PURE__ */ parameter("alarm_codes", 945, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_codes", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], elements: 64, printedName: "945" }),
+  internalAlarmCodes: /* @__PURE__ */ parameter("internal_alarm_codes", 947, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("internal_alarm_codes", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], elements: 64, printedName: "947" }),
+  alarmBufferCapacity: /* @__PURE__ */ parameter("alarm_buffer_capacity", 950, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_buffer_capacity", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], elements: 2, subindices: [{ name: "block_count", indices: [[0, 0]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_buffer_capacity.block_count", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "alarms_per_block", indices: [[1, 1]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_buffer_capacity.alarms_per_block", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }], printedName: "950" }),
+  alarmBlockCounter: /* @__PURE__ */ parameter("alarm_block_counter", 952, 0, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_block_counter", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "952" }),
+  driveIdentification: /* @__PURE__ */ parameter("drive_identification", 964, 0, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_identification", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], elements: 7, subindices: [{ name: "manufacturer", indices: [[0, 0]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (value !== 2730) throw wrongNumber("wrong_const", "drive_identification.manufacturer", value, "not 2730", null); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "drive_unit_type", indices: [[1, 1]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (value !== 5) throw wrongNumber("wrong_const", "drive_identification.drive_unit_type", value, "not 5", null); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "firmware_version", indices: [[2, 2]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_identification.firmware_version", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "firmware_year", indices: [[3, 3]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_identification.firmware_year", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "firmware_day_and_month", indices: [[4, 4]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_identification.firmware_day_and_month", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "drive_object_count", indices: [[5, 5]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (value !== 1) throw wrongNumber("wrong_const", "drive_identification.drive_object_count", value, "not 1", null); b[o + 1] = value; b[o] = value >>> 8; } }, { name: "minor_firmware_version", indices: [[6, 6]], size: 2, signed: false, places: [0, 1], kind: "integer", read: (b, o) => ((b[o] << 8) | b[o + 1]), write: (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("drive_identification.minor_firmware_version", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; } }], printedName: "964" }),
+  encoderFormat: /* @__PURE__ */ parameter("encoder_format", 979, 0, "ro", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], elements: 31, subindices: [{ name: "header", indices: [[0, 0]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.header", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "encoder_type", indices: [[1, 1]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.encoder_type", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "encoder_resolution", indices: [[2, 2]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.encoder_resolution", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "actual_position_1_shift", indices: [[3, 3]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.actual_position_1_shift", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "actual_position_2_shift", indices: [[4, 4]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.actual_position_2_shift", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "maximum_turn_count", indices: [[5, 5]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.maximum_turn_count", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }, { name: "reserved", indices: [[6, 30]], size: 4, signed: false, places: [0, 1, 2, 3], kind: "integer", read: (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), write: (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("encoder_format.reserved", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; } }], printedName: "979" }),
 });
 
 export const ServoParameters = /* @__PURE__ */ parameterSet("servo_parameters", {
-  basicFunctionSwitch1: /* @__PURE__ */ parameter("basic_function_switch_1", 1, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("basic_function_switch_1", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "Pt001" }),
-  moduloRangeUpperLimit: /* @__PURE__ */ parameter("modulo_range_upper_limit", 603, 8192, "", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value && value >= 0)) throw refusedNumber("modulo_range_upper_limit", value, -2147483648, 2147483647, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], default: 0, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt25B" }),
-  moduloRangeLowerLimit: /* @__PURE__ */ parameter("modulo_range_lower_limit", 604, 8192, "", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value && value <= 0)) throw refusedNumber("modulo_range_lower_limit", value, -2147483648, 2147483647, "-2147483648..0"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], default: 0, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 0n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-2147483648, 0]] }), printedName: "Pt25C" }),
-  quickStopDecelerationTime: /* @__PURE__ */ parameter("quick_stop_deceleration_time", 778, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 10000)) throw refusedNumber("quick_stop_deceleration_time", value, 0, 65535, "0..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 0, units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 10000]] }), printedName: "Pt30A" }),
-  maximumSpeedRotary: /* @__PURE__ */ parameter("maximum_speed_rotary", 790, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("maximum_speed_rotary", value, 0, 65535, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 10000, units: /* @__PURE__ */ unit({ unit: "rpm", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }), printedName: "Pt316" }),
-  referenceSpeedRotary: /* @__PURE__ */ parameter("reference_speed_rotary", 791, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1)) throw refusedNumber("reference_speed_rotary", value, 0, 65535, "1..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 3000, units: /* @__PURE__ */ unit({ unit: "rpm", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 65535n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 65535]] }), printedName: "Pt317" }),
-  maximumSpeedLinear: /* @__PURE__ */ parameter("maximum_speed_linear", 901, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 100)) throw refusedNumber("maximum_speed_linear", value, 0, 65535, "0..100"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 50, units: /* @__PURE__ */ unit({ unit: "mm/s", factor: 100n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), printedName: "Pt385" }),
-  referenceSpeedLinear: /* @__PURE__ */ parameter("reference_speed_linear", 902, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("reference_speed_linear", value, 0, 65535, "1..100"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 20, units: /* @__PURE__ */ unit({ unit: "mm/s", factor: 100n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "Pt386" }),
-  positiveTorqueLimit: /* @__PURE__ */ parameter("positive_torque_limit", 1026, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 800)) throw refusedNumber("positive_torque_limit", value, 0, 65535, "0..800"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 800, units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 800n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 800]] }), printedName: "Pt402" }),
-  negativeTorqueLimit: /* @__PURE__ */ parameter("negative_torque_limit", 1027, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 800)) throw refusedNumber("negative_torque_limit", value, 0, 65535, "0..800"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 800, units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 800n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 800]] }), printedName: "Pt403" }),
-  referenceTorque: /* @__PURE__ */ parameter("reference_torque", 1066, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("reference_torque", value, 0, 4294967295, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 0, units: /* @__PURE__ */ unit({ unit: "Nm", factor: 1n, shift: 0n, divisor: 1000n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42A" }),
-  positiveFixedStopTolerance: /* @__PURE__ */ parameter("positive_fixed_stop_tolerance", 1067, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("positive_fixed_stop_tolerance", value, 0, 4294967295, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 100, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42B" }),
-  negativeFixedStopTolerance: /* @__PURE__ */ parameter("negative_fixed_stop_tolerance", 1068, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("negative_fixed_stop_tolerance", value, 0, 4294967295, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 0, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [0n], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null, as_positive: 0 }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42C" }),
-  positiveFixedStopTorque: /* @__PURE__ */ parameter("positive_fixed_stop_torque", 1069, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("positive_fixed_stop_torque", value, 0, 4294967295, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 1000000, units: /* @__PURE__ */ unit({ unit: "Nm or N", factor: 1n, shift: 0n, divisor: 1000n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42D" }),
-  negativeFixedStopTorque: /* @__PURE__ */ parameter("negative_fixed_stop_torque", 1070, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("negative_fixed_stop_torque", value, 0, 4294967295, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 1000000, units: /* @__PURE__ */ unit({ unit: "Nm or N", factor: 1n, shift: 0n, divisor: 1000n, absent: [0n], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null, as_positive: 0 }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42E" }),
-  fixedStopFollowingError: /* @__PURE__ */ parameter("fixed_stop_following_error", 1071, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("fixed_stop_following_error", value, 0, 4294967295, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 1000, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42F" }),
-  referenceForce: /* @__PURE__ */ parameter("reference_force", 1082, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("reference_force", value, 0, 4294967295, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 0, units: /* @__PURE__ */ unit({ unit: "N", factor: 1n, shift: 0n, divisor: 1000n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt43A" }),
-  positiveForceLimit: /* @__PURE__ */ parameter("positive_force_limit", 1155, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 800)) throw refusedNumber("positive_force_limit", value, 0, 65535, "0..800"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 30, units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 800n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 800]] }), printedName: "Pt483" }),
-  negativeForceLimit: /* @__PURE__ */ parameter("negative_force_limit", 1156, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 800)) throw refusedNumber("negative_force_limit", value, 0, 65535, "0..800"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 30, units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 800n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 800]] }), printedName: "Pt484" }),
-  pointToPointSpeedRotary: /* @__PURE__ */ parameter("point_to_point_speed_rotary", 1331, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 10000)) throw refusedNumber("point_to_point_speed_rotary", value, 0, 65535, "1..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 600, units: /* @__PURE__ */ unit({ unit: "rpm", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 10000]] }), printedName: "Pt533" }),
-  pointToPointAccelerationTime: /* @__PURE__ */ parameter("point_to_point_acceleration_time", 1332, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 2 && value <= 10000)) throw refusedNumber("point_to_point_acceleration_time", value, 0, 65535, "2..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 100, units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[2n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[2, 10000]] }), printedName: "Pt534" }),
-  pointToPointDecelerationTime: /* @__PURE__ */ parameter("point_to_point_deceleration_time", 1335, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 2 && value <= 10000)) throw refusedNumber("point_to_point_deceleration_time", value, 0, 65535, "2..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 100, units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[2n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[2, 10000]] }), printedName: "Pt537" }),
-  pointToPointEmergencyDecelerationTime: /* @__PURE__ */ parameter("point_to_point_emergency_deceleration_time", 1336, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 2 && value <= 10000)) throw refusedNumber("point_to_point_emergency_deceleration_time", value, 0, 65535, "2..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 10, units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[2n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[2, 10000]] }), printedName: "Pt538" }),
-  pointToPointDistance: /* @__PURE__ */ parameter("point_to_point_distance", 1337, 8192, "", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value && value >= 1 && value <= 1073741824)) throw refusedNumber("point_to_point_distance", value, -2147483648, 2147483647, "1..1073741824"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], default: 32768, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 1073741824n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 1073741824]] }), printedName: "Pt539" }),
+  basicFunctionSwitch1: /* @__PURE__ */ parameter("basic_function_switch_1", 1, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("basic_function_switch_1", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], printedName: "Pt001" }),
+  moduloRangeUpperLimit: /* @__PURE__ */ parameter("modulo_range_upper_limit", 603, 8192, "", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value && value >= 0)) throw refusedNumber("modulo_range_upper_limit", value, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], default: 0, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt25B" }),
+  moduloRangeLowerLimit: /* @__PURE__ */ parameter("modulo_range_lower_limit", 604, 8192, "", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value && value <= 0)) throw refusedNumber("modulo_range_lower_limit", value, "-2147483648..0"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], default: 0, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 0n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-2147483648, 0]] }), printedName: "Pt25C" }),
+  quickStopDecelerationTime: /* @__PURE__ */ parameter("quick_stop_deceleration_time", 778, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 10000)) throw refusedNumber("quick_stop_deceleration_time", value, "0..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 0, units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 10000]] }), printedName: "Pt30A" }),
+  maximumSpeedRotary: /* @__PURE__ */ parameter("maximum_speed_rotary", 790, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("maximum_speed_rotary", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 10000, units: /* @__PURE__ */ unit({ unit: "rpm", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }), printedName: "Pt316" }),
+  referenceSpeedRotary: /* @__PURE__ */ parameter("reference_speed_rotary", 791, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1)) throw refusedNumber("reference_speed_rotary", value, "1..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 3000, units: /* @__PURE__ */ unit({ unit: "rpm", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 65535n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 65535]] }), printedName: "Pt317" }),
+  maximumSpeedLinear: /* @__PURE__ */ parameter("maximum_speed_linear", 901, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 100)) throw refusedNumber("maximum_speed_linear", value, "0..100"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 50, units: /* @__PURE__ */ unit({ unit: "mm/s", factor: 100n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), printedName: "Pt385" }),
+  referenceSpeedLinear: /* @__PURE__ */ parameter("reference_speed_linear", 902, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("reference_speed_linear", value, "1..100"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 20, units: /* @__PURE__ */ unit({ unit: "mm/s", factor: 100n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "Pt386" }),
+  positiveTorqueLimit: /* @__PURE__ */ parameter("positive_torque_limit", 1026, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 800)) throw refusedNumber("positive_torque_limit", value, "0..800"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 800, units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 800n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 800]] }), printedName: "Pt402" }),
+  negativeTorqueLimit: /* @__PURE__ */ parameter("negative_torque_limit", 1027, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 800)) throw refusedNumber("negative_torque_limit", value, "0..800"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 800, units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 800n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 800]] }), printedName: "Pt403" }),
+  referenceTorque: /* @__PURE__ */ parameter("reference_torque", 1066, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("reference_torque", value, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 0, units: /* @__PURE__ */ unit({ unit: "Nm", factor: 1n, shift: 0n, divisor: 1000n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42A" }),
+  positiveFixedStopTolerance: /* @__PURE__ */ parameter("positive_fixed_stop_tolerance", 1067, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("positive_fixed_stop_tolerance", value, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 100, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42B" }),
+  negativeFixedStopTolerance: /* @__PURE__ */ parameter("negative_fixed_stop_tolerance", 1068, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("negative_fixed_stop_tolerance", value, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 0, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [0n], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null, as_positive: 0 }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42C" }),
+  positiveFixedStopTorque: /* @__PURE__ */ parameter("positive_fixed_stop_torque", 1069, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("positive_fixed_stop_torque", value, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 1000000, units: /* @__PURE__ */ unit({ unit: "Nm or N", factor: 1n, shift: 0n, divisor: 1000n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42D" }),
+  negativeFixedStopTorque: /* @__PURE__ */ parameter("negative_fixed_stop_torque", 1070, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("negative_fixed_stop_torque", value, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 1000000, units: /* @__PURE__ */ unit({ unit: "Nm or N", factor: 1n, shift: 0n, divisor: 1000n, absent: [0n], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null, as_positive: 0 }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42E" }),
+  fixedStopFollowingError: /* @__PURE__ */ parameter("fixed_stop_following_error", 1071, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("fixed_stop_following_error", value, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 1000, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt42F" }),
+  referenceForce: /* @__PURE__ */ parameter("reference_force", 1082, 8192, "", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value <= 2147483647)) throw refusedNumber("reference_force", value, "0..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "u32", kind: "integer", size: 4, signed: false, places: [0, 1, 2, 3], default: 0, units: /* @__PURE__ */ unit({ unit: "N", factor: 1n, shift: 0n, divisor: 1000n, absent: [], ranges: [[0n, 2147483647n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 2147483647]] }), printedName: "Pt43A" }),
+  positiveForceLimit: /* @__PURE__ */ parameter("positive_force_limit", 1155, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 800)) throw refusedNumber("positive_force_limit", value, "0..800"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 30, units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 800n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 800]] }), printedName: "Pt483" }),
+  negativeForceLimit: /* @__PURE__ */ parameter("negative_force_limit", 1156, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 800)) throw refusedNumber("negative_force_limit", value, "0..800"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 30, units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 800n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 800]] }), printedName: "Pt484" }),
+  pointToPointSpeedRotary: /* @__PURE__ */ parameter("point_to_point_speed_rotary", 1331, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 10000)) throw refusedNumber("point_to_point_speed_rotary", value, "1..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 600, units: /* @__PURE__ */ unit({ unit: "rpm", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 10000]] }), printedName: "Pt533" }),
+  pointToPointAccelerationTime: /* @__PURE__ */ parameter("point_to_point_acceleration_time", 1332, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 2 && value <= 10000)) throw refusedNumber("point_to_point_acceleration_time", value, "2..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 100, units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[2n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[2, 10000]] }), printedName: "Pt534" }),
+  pointToPointDecelerationTime: /* @__PURE__ */ parameter("point_to_point_deceleration_time", 1335, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 2 && value <= 10000)) throw refusedNumber("point_to_point_deceleration_time", value, "2..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 100, units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[2n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[2, 10000]] }), printedName: "Pt537" }),
+  pointToPointEmergencyDecelerationTime: /* @__PURE__ */ parameter("point_to_point_emergency_deceleration_time", 1336, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 2 && value <= 10000)) throw refusedNumber("point_to_point_emergency_deceleration_time", value, "2..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 10, units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[2n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[2, 10000]] }), printedName: "Pt538" }),
+  pointToPointDistance: /* @__PURE__ */ parameter("point_to_point_distance", 1337, 8192, "", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value && value >= 1 && value <= 1073741824)) throw refusedNumber("point_to_point_distance", value, "1..1073741824"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { type: "i32", kind: "integer", size: 4, signed: true, places: [0, 1, 2, 3], default: 32768, units: /* @__PURE__ */ unit({ unit: "control unit", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 1073741824n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 1073741824]] }), printedName: "Pt539" }),
   jogDirectionReversed: /* @__PURE__ */ parameter("jog_direction_reversed", 1338, 8192, "", (b, o) => booleanOf("jog_direction_reversed", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("jog_direction_reversed", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; }, { type: "bool16", kind: "boolean", size: 2, signed: false, places: [0, 1], default: 0, printedName: "Pt53A" }),
-  pointToPointSpeedLinear: /* @__PURE__ */ parameter("point_to_point_speed_linear", 1413, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 10000)) throw refusedNumber("point_to_point_speed_linear", value, 0, 65535, "1..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 50, units: /* @__PURE__ */ unit({ unit: "mm/s", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 10000]] }), printedName: "Pt585" }),
+  pointToPointSpeedLinear: /* @__PURE__ */ parameter("point_to_point_speed_linear", 1413, 8192, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 10000)) throw refusedNumber("point_to_point_speed_linear", value, "1..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [0, 1], default: 50, units: /* @__PURE__ */ unit({ unit: "mm/s", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 10000]] }), printedName: "Pt585" }),
 });

@@ -380,7 +380,7 @@ function partValue({ unitAddresses, exception }, part, header, code, marks) {
   const whole = part.wide ? typeof number === "bigint" : Number.isInteger(number);
   if (whole && address !== null && number == address.broadcast) return number;
   if (!whole || number < part.low || number > part.high || (ranges !== null && !within(ranges, number))) {
-    throw refusedNumber(part.name, number, part.low, part.high, rangesText(ranges ?? [[part.low, part.high]]));
+    throw refusedNumber(part.name, number, rangesText(ranges ?? [[part.low, part.high]]), typeof part.low === "bigint");
   }
   return number;
 }

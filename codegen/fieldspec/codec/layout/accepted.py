@@ -273,7 +273,10 @@ def _part_is_in(bit: Bit, word: int) -> bool:
 
 
 def _is_in(number: float, intervals: Iterable[tuple[float, float]]) -> bool:
-    return any(low <= number <= high for low, high in intervals)
+    for low, high in intervals:  # noqa: SIM110 (called for each number that is received; `any` takes twice the time)
+        if low <= number <= high:
+            return True
+    return False
 
 
 def _constant(value: Value) -> list[Condition]:

@@ -89,7 +89,7 @@ class FrameCodec:
         shape, numbers = framed.shape, {**stated}
         self._check_around(framed, numbers, data)
         inner = data[shape.header_size : len(data) - shape.trailer_size]
-        announced, body, error = self._body(shape, numbers, inner, message)
+        announced, body, error = self._body(framed, numbers, inner, message)
         values = decoded(body, inner, self.layout.device, shape.header_size)
         visible = {name: numbers[name] for name in framed.visible}
         return Decoded(self.link.name, direction, announced, error, visible, values, data, body)
@@ -165,10 +165,10 @@ class FrameCodec:
                 raise CodecError("wrong_checksum", text, part.at(len(data)))
 
     def _body(
-        self, shape: FrameLayout, head: Values, inner: bytes, message: str
+        self, framed: FrameParts, head: Values, inner: bytes, message: str
     ) -> tuple[MessageLayout | None, RecordLayout, bool]:
         """The message and the record of the body that a head announces, with the data where messages share a code."""
-        part = shape.role("code")
+        shape, part = framed.shape, framed.code
         error = self.link.link.exception_response
         if part is None:
             announced = self.link.carried(shape.direction).get(message)

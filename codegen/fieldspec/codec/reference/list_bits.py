@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -14,9 +15,22 @@ if TYPE_CHECKING:
     Wrong = tuple[str, int]
 
 
+_COUNTING: ByIdentity[RecordLayout, list[FieldLayout]] = ByIdentity(1024)
+
+
+def counting_fields(record: RecordLayout) -> list[FieldLayout]:
+    """The fields that say how much there is of another field, or of themselves."""
+    return _COUNTING.get_or_compute(
+        record,
+        lambda record: [
+            field for field in record.fields if field.measure or field.bits_of or field.presence or field.continuation
+        ],
+    )
+
+
 def wrong_list_bits(record: RecordLayout, values: Mapping[str, Any]) -> Wrong | None:
     """The first of the numbers of a record that is wrong about how many elements there are."""
-    for field in record.fields:
+    for field in counting_fields(record):
         wrong = wrong_bit_number(field, values) or _wrong_presence(record, field, values) or _wrong_end(field, values)
         if wrong is not None:
             return wrong

@@ -28,6 +28,7 @@ class FrameParts:
         self.shape = shape
         self.lengths, self.checksums = shape.lengths, shape.checksums
         self.digits, self.constants = shape.digits, shape.constants
+        self.code, self.unit_address = shape.role("code"), shape.role("unit_address")
         self.visible = [
             part.name for part in shape.header if part.role not in ("length", "checksum") and not part.reserved
         ]

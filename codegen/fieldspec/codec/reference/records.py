@@ -12,7 +12,7 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.codec.layout.widths import WidthError, data_of, image_of, place_in_data
 from fieldspec.codec.reference.bits import number_of_bits
-from fieldspec.codec.reference.list_bits import wrong_bit_number, wrong_list_bits
+from fieldspec.codec.reference.list_bits import counting_fields, wrong_bit_number, wrong_list_bits
 from fieldspec.codec.reference.quantities import special_name
 from fieldspec.codec.reference.structs import record_struct
 from fieldspec.codec.reference.texts import bytes_of_text, text_of_bytes, text_refusal
@@ -205,13 +205,14 @@ def _is_known(device: Device, value: Value, raw: int) -> bool:
 
 
 def _check_measures(record: RecordLayout, values: Values, offset: int) -> None:
-    for field in record.fields:
+    for field in (counting := counting_fields(record)):
         measured = _measured(record, field, values)
         if measured is not None and values[field.name] != measured:
             text = f"{field.name} is {values[field.name]}, but there are {measured}"
             raise CodecError("wrong_measure", text, offset + field.offset)
         _refuse_measure(wrong_bit_number(field, values), offset)
-    _refuse_measure(wrong_list_bits(record, values), offset)
+    if counting:
+        _refuse_measure(wrong_list_bits(record, values), offset)
 
 
 def _refuse_measure(wrong: tuple[str, int] | None, offset: int | None) -> None:

@@ -94,7 +94,9 @@ def number_in(value: Value, data: bytes, order: str, swapped: bool) -> int | flo
 
     Raises AssertionError for a text and for bytes.
     """
-    first_to_last = bytes(data[byte] for byte in byte_places(len(data), order, swapped))
+    first_to_last = data
+    if swapped or order != "big":
+        first_to_last = bytes(data[byte] for byte in byte_places(len(data), order, swapped))
     bits = int.from_bytes(first_to_last, "big")
     encoding = value.encoding
     match encoding:

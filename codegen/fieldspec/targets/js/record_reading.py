@@ -8,8 +8,8 @@ from fieldspec.codec.layout.inner_lists import InnerList
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
-from fieldspec.targets.js.members import Member, members_of, most_bytes, shapes_of, slot_of
-from fieldspec.targets.js.number_bytes import place
+from fieldspec.targets.js.members import Member, members_of, shapes_of, slot_of
+from fieldspec.targets.js.number_bytes import LONGEST, place, with_offset
 from fieldspec.targets.js.presences import bits_of, is_present, presence_check
 from fieldspec.targets.js.text import literal, plus
 from fieldspec.targets.js.values import throw_wrong_number
@@ -27,7 +27,7 @@ def read_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
 def checked_read(record: RecordLayout, name: str, names: Names) -> list[str]:
     """The function of a record that looks at the size, reads the fields, and compares what measures other fields."""
     image = record.image if record.inner_lists is not None else record
-    lines = [f"checkSize({literal(record.name)}, {image.least}, {most_bytes(image)}, o, end);"]
+    lines = [_size_check(record.name, image)]
     if record.spans or record.inner_lists is not None:
         measured = _measured_read(record.image, f"read{name}", names)
         body = ["  " + line for line in (measured if record.spans else [*lines, *measured])]
@@ -42,6 +42,12 @@ def checked_read(record: RecordLayout, name: str, names: Names) -> list[str]:
     else:
         lines += _measured_read(record, f"read{name}", names)
     return [f"function check{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"]
+
+
+def _size_check(name: str, shape: RecordLayout) -> str:
+    """The statement that refuses data of a wrong size."""
+    limit = LONGEST if shape.most is None else min(shape.most, LONGEST)
+    return f"checkSize({literal(name)}, {shape.least}, {limit}, o, end);"
 
 
 def choices_of(record: RecordLayout, name: str) -> list[str]:
@@ -69,7 +75,7 @@ def _read_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
     parameters = "b, o, end" if last is not None and last.count is None else "b, o"
     if not lines and not properties:
         return [f"function {name}() {{", "  return {};", "}"]
-    body = [*lines, "return {", *(f"  {row}" for row in properties), "};"]
+    body = with_offset([*lines, "return {", *(f"  {row}" for row in properties), "};"])
     return [f"function {name}({parameters}) {{", *(f"  {line}" for line in body), "}"]
 
 
@@ -230,8 +236,7 @@ def _select(record: RecordLayout, name: str, names: Names) -> list[str]:
     lines = [f"const number = {slot_of(selector, names).number('o', selector.offset)};"]
     lines.append(f"switch (choices{name}[number]) {{")
     for index, (suffix, shape) in enumerate(shapes_of(record)):
-        size = f"checkSize({literal(record.name)}, {shape.least}, {most_bytes(shape)}, o, end);"
-        body = [size, *_measured_read(shape, f"read{name}{suffix}", names)]
+        body = [_size_check(record.name, shape), *_measured_read(shape, f"read{name}{suffix}", names)]
         lines += [f"  case {index}: {{", *(f"    {line}" for line in body), "  }"]
     wrong = throw_wrong_number(
         "unknown_value", selector.name, "number", literal(CHOOSES_NOTHING), place("o", selector.offset)

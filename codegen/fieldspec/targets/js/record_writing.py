@@ -11,7 +11,7 @@ from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.inner_lists import list_length, write_lists
 from fieldspec.targets.js.members import Member, members_of, shapes_of, slot_of
-from fieldspec.targets.js.number_bytes import place
+from fieldspec.targets.js.number_bytes import place, with_offset
 from fieldspec.targets.js.presences import end_check, presence_check
 from fieldspec.targets.js.record_reading import CHOOSES_NOTHING, by_selector
 from fieldspec.targets.js.text import literal, plus
@@ -67,7 +67,7 @@ def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
         lines += end_check(member.field, names, f"value.{member.key}")
     if not lines:
         return [f"function {name}() {{}}"]
-    return [f"function {name}(value, b, o) {{", *(f"  {line}" for line in lines), "}"]
+    return [f"function {name}(value, b, o) {{", *(f"  {line}" for line in with_offset(lines)), "}"]
 
 
 def selector_number(selector: FieldLayout, keys: Mapping[str, str], names: Names) -> str:

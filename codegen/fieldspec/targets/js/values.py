@@ -344,7 +344,7 @@ class Slot:
             return
         ranges = self.value.writable_ranges
         allowed = literal(ranges.text() if ranges else f"{low}..{high}")
-        arguments = f"{name}, {variable}, {self.digits(low)}, {self.digits(high)}, {allowed}"
+        arguments = f"{name}, {variable}, {allowed}{', true' * self.wide}"
         yield f"if (!({' && '.join(tests)})) throw refusedNumber({arguments});"
 
     def _text_form(self, form: TextForm) -> str:

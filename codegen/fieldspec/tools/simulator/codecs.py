@@ -103,5 +103,9 @@ def framer(module: ModuleType, link: str, direction: str) -> Framer | None:
 
 @cache
 def _framer_class(module: ModuleType, link: str, direction: str) -> Callable[[], Framer] | None:
-    spoken = next((item for name, item in vars(module).items() if name.lower().strip("_") == link.lower()), None)
-    return getattr(spoken, f"{direction}_framer", None)
+    return getattr(link_codec(module, link), f"{direction}_framer", None)
+
+
+def link_codec(module: ModuleType, link: str) -> Any:
+    """The object of a link in a generated module; None where it has none."""
+    return next((item for name, item in vars(module).items() if name.lower().strip("_") == link.lower()), None)

@@ -138,7 +138,8 @@ class Engine(Operation):
         rules = [rule for path in paths for rule in self._rules_of_write(path)]
         guards = [rule for rule in rules if rule.subject[0].kind == "refuse"]
         self.run(guards)
-        self.run(rule for rule in rules if rule not in guards)
+        if len(rules) > len(guards):
+            self.run(rule for rule in rules if rule not in guards)
         self.follow()
 
     def _rules_of_write(self, path: str) -> list[Part]:
@@ -209,9 +210,8 @@ class Engine(Operation):
 
     def _decisive(self) -> tuple[object, ...]:
         """What decides on that which signals show. The time does so in a motion only."""
-        memory, axis = self.memory, self.axis
         settings = *self.states.values(), *self.element.items(), *self.overridden.items()
-        return *memory.changes, *settings, *axis.parts, self.now if axis.moving else None
+        return *self.memory.changes, *settings, *self.axis.parts, self.now if self.axis.ramps else None
 
     def _displayed(self, part: Part) -> object:
         condition = part.get("if")

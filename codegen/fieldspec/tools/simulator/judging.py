@@ -45,9 +45,10 @@ def first_out_of_range(device: Device, record: RecordLayout, values: Mapping[str
     of_device = _CONDITIONS.get_or_compute(device, lambda _: ByIdentity())
     for name, conditions in of_device.get_or_compute(record, lambda record: _conditions(device, record)):
         raw = values.get(name)
-        is_number = isinstance(raw, int) and not isinstance(raw, bool)
-        if is_number and not all(passes(condition.test, raw) for condition in conditions):
-            return name
+        if isinstance(raw, int) and not isinstance(raw, bool):
+            for condition in conditions:
+                if not passes(condition.test, raw):
+                    return name
     return ""
 
 

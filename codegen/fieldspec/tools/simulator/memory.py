@@ -77,6 +77,7 @@ class Memory:
         self.layout = layout
         self.words: Noted[Address, int] = Noted()
         self.occupants: dict[Address, list[Occupant]] = {}
+        self._write_places: dict[Address, int] = {}
         self.elements: Noted[Element, Raw] = Noted()
         self.fields: Noted[str, Raw] = Noted()
         self.lists: dict[str, list[dict[str, Raw]]] = {}
@@ -89,8 +90,14 @@ class Memory:
         device = layout.device
         for space in dict.fromkeys([*device.spaces, device.space_name("")]):
             for occupant in occupants(at_usual_bases(layout), Span(space, 0, _LAST, 0, b"")):
-                for address in range(occupant.address, occupant.address + occupant.words):
+                for number in range(occupant.words):
+                    address = occupant.address + number
                     self.occupants.setdefault((space, address), []).append(occupant)
+                    if occupant.value.write_word_order:
+                        in_word = 2 // device.space(space).unit_size
+                        word, rest = divmod(number, in_word)
+                        turned = occupant.address + occupant.words - (word + 1) * in_word + rest
+                        self._write_places.setdefault((space, address), turned)
         self._bases = [
             (layout.tables[name], device.space_name(register.register.space), base_of_table(layout, name))
             for name, register in moving_tables(layout).items()
@@ -146,12 +153,7 @@ class Memory:
 
     def write_place(self, space: str, address: int) -> int:
         """Where the memory, which has what is read, has what is written to one of its addresses."""
-        turned = next((occupant for occupant in self.at(space, address) if occupant.value.write_word_order), None)
-        if turned is None:
-            return address
-        in_word = 2 // self.layout.device.space(space).unit_size
-        word, rest = divmod(address - turned.address, in_word)
-        return turned.address + turned.words - (word + 1) * in_word + rest
+        return self._write_places.get((space, address), address)
 
     def has_base(self, space: str, addresses: range) -> bool:
         """Whether some addresses have a register that says where a table begins."""

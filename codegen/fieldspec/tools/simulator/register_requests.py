@@ -124,7 +124,7 @@ def _judge(engine: Engine, space: str, address: int, place: int, operation: str)
     present = engine.memory.at(space, place)
     if not present:
         raise Refusal("unknown_address", f"no register is at 0x{address:04X}")
-    if all(engine.memory.is_absent(occupant) for occupant in present):
+    if all(map(engine.memory.is_absent, present)):
         raise Refusal("unknown_address", f"the device has not got {present[0].path}")
     for occupant in present:
         objection = forbidden_text(operation, occupant.access)

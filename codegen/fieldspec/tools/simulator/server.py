@@ -16,6 +16,7 @@ from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.tools.simulator import parameters, raw_values
 from fieldspec.tools.simulator.access_steps import carry_out_steps
+from fieldspec.tools.simulator.bare_requests import Decoder
 from fieldspec.tools.simulator.engine import Engine
 from fieldspec.tools.simulator.memory import default_raw, element_value
 from fieldspec.tools.simulator.received import number_key, received
@@ -41,9 +42,12 @@ class Answer:
 
 
 class Server:
-    """A device on its links, at a unit address. `complain` takes the reason where no frame can be the response."""
+    """A device on its links, at a unit address. `complain` takes the reason where no frame can be the response.
 
-    def __init__(self, engine: Engine, unit_address: int = 1) -> None:
+    `decoders` decode requests on some links instead of the reference codec, where they can.
+    """
+
+    def __init__(self, engine: Engine, unit_address: int = 1, decoders: Mapping[str, Decoder] | None = None) -> None:
         self.complain: Callable[[str], None] = lambda reason: None
         self.engine, self.unit_address = engine, unit_address
         self.codecs = codec(engine.layout).links
@@ -51,7 +55,9 @@ class Server:
         self.transfers = Transfers(engine.layout, engine.memory.transfers)
         self.answers = {part.subject: part for part in engine.behaviour.of_kind("answer")}
         self._received = lru_cache(_MOST_KNOWN)(
-            lambda link, frame, message: received(self.codecs[link], unit_address, frame, message)
+            lambda link, frame, message: received(
+                self.codecs[link], unit_address, frame, message, (decoders or {}).get(link)
+            )
         )
         """The requests in frames: observers of a device repeat the same requests."""
         self._frames: dict[tuple[object, ...], bytes] = {}
@@ -67,14 +73,13 @@ class Server:
             return Answer(b"", request)
         if request.damage and not forced:
             return Answer(b"", f"damaged: {request.damage}")
-        asked_values: dict[str, Any] = {}
+        announced, values = request.message, dict(request.values or {})
+        began = self.transfers.fields(link, announced) if announced is not None else {}
         try:
             if forced:
                 raise Refusal(forced, "by a fault")
-            announced, values = request.message, dict(request.values or {})
             if announced is None:
                 raise Refusal(*request.objection)
-            asked_values |= {**self.transfers.fields(link, announced), **values}
             if request.is_broadcast and not (announced.message.broadcast and self._accepts_broadcast()):
                 return Answer(b"", "broadcast, not accepted")
             body = self._carried_out(link, announced, values, request.out_of_range)
@@ -88,6 +93,7 @@ class Server:
                 self.engine.follow_refusal(names, refusal.reason)
             if request.silence:
                 return Answer(b"", f"{request.silence}: {refusal}")
+            asked_values = {} if forced else {**began, **(request.values or {})}
             return self._refused(frames, request.head, request.code, refusal, asked_values)
         return Answer(b"", f"{request.silence}: {announced.name}")
 
@@ -106,10 +112,10 @@ class Server:
         if announced.name in self.transfers.pieces:
             return self._of_piece(link, announced, values)
         self.transfers.running.pop(link, None)
-        access, bits = engine.layout.device.register_access(message), engine.layout.device.bit_access(message)
-        read, write = (read_registers, write_registers) if bits is None else (read_bits, write_bits)
-        access = access or bits
+        access = message.single_access
         if access is not None:
+            is_of_bits = engine.layout.device.bit_access(message) is not None
+            read, write = (read_bits, write_bits) if is_of_bits else (read_registers, write_registers)
             reasons: list[Refusal] = []
             if out_of_range:
                 reason = "count_invalid" if out_of_range == access.count else "value_invalid"

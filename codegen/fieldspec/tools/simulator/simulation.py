@@ -14,6 +14,7 @@ from fieldspec.tools.carriers.carrier import Carrier, CarrierError, LineSettings
 from fieldspec.tools.carriers.sockets import Datagrams, Listener
 from fieldspec.tools.carriers.terminals import PseudoTerminal, SerialPort
 from fieldspec.tools.simulator import codecs
+from fieldspec.tools.simulator.bare_requests import bare_decoder, has_bare_requests
 from fieldspec.tools.simulator.clock import Clock, SystemClock
 from fieldspec.tools.simulator.engine import Engine
 from fieldspec.tools.simulator.faults import Fault, Faults, hold, is_lasting
@@ -53,13 +54,18 @@ class Simulation:
         self.clock: Clock = clock or SystemClock()
         self.started = self.clock.now()
         self.engine = Engine(layout, behaviour, message)
-        self.server = Server(self.engine, unit_address)
+        self._module: ModuleType = codecs.device_module(layout)
+        decoders = {
+            name: bare_decoder(codecs.link_codec(self._module, name), link)
+            for name, link in layout.links.items()
+            if has_bare_requests(link)
+        }
+        self.server = Server(self.engine, unit_address, decoders)
         self.faults = Faults((), seed)
         self.listeners: list[TrafficListener] = []
         self.lock = threading.RLock()
         self.places: list[tuple[str, str]] = []
         """The links, each with the place where it is served."""
-        self._module: ModuleType = codecs.device_module(layout)
         self._threads: list[threading.Thread] = []
         self._closers: list[Callable[[], None]] = []
         self._releases: list[Callable[[], None]] = []

@@ -26,10 +26,9 @@ export function wrongNumber(reason, name, number, expected, offset) {
   return new CodecError(reason, `${name} is ${number}, ${expected}`, offset);
 }
 
-/** The error of a value that cannot be encoded as a whole number from `low` to `high`. */
-export function refusedNumber(name, value, low, high, allowed) {
-  const wrong = wrongType(name, value, typeof low === "bigint");
-  return wrong ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
+/** The error of a value that cannot be encoded as a whole number that is allowed; `wide` where numbers are bigints. */
+export function refusedNumber(name, value, allowed, wide) {
+  return wrongType(name, value, wide) ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
 }
 
 /** The error of a word with a field of bits that is out of its range. */

@@ -5,8 +5,9 @@ import { CodecError, printed, wrongSize } from "./error.js";
  * counts the bytes of a value where they vary. `keys` are the names of its fields, `units` their quantities, `absent`
  * the values that stand for a state.
  */
-export function record({ name, least, most, read, write, size, keys, units, absent = {} }) {
+export function record({ name, least, most, read, write, size: sizeOf, keys, units, absent = {} }) {
   const count = Object.keys(keys).length;
+  const size = sizeOf === null ? null : (value) => writableSize(name, sizeOf(value));
   return Object.freeze({
     name,
     least,
@@ -38,6 +39,12 @@ export function record({ name, least, most, read, write, size, keys, units, abse
       knownKeys(name, value, keys);
     },
   });
+}
+
+/** The bytes that a value has. Throws CodecError for more than the offsets of generated functions count. */
+function writableSize(name, size) {
+  if (size > 0x3fffffff) throw new CodecError("wrong_length", `${name} has ${size} bytes, which are too many`);
+  return size;
 }
 
 /** How many keys a value has; -1 for what is not an object. */
