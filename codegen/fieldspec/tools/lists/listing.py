@@ -42,6 +42,7 @@ from fieldspec.tools.lists.words import meaning
 
 _NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 
+_FEWEST_CODES = 3
 _WIDE_STEPS = (4, 8)
 """The bytes of registers with more than a word."""
 
@@ -191,6 +192,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     if not read:
         raise ListError(f"has no row that can be taken: {refused[0].text()}")
     undecided: list[Assumption] = []
+    if not own:
+        _refuse_codes(read, places, columns_of_sheet)
     if own:
         read = [exported_row(row) for row in read]
         marks = {row.cited.mark if row.cited is not None else LINES for row in read}
@@ -214,6 +217,21 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         own,
         options.address_unit == "bytes",
     )
+
+
+def _refuse_codes(rows: Sequence[ListRow], places: Placed, columns_of_sheet: Columns) -> None:
+    """Raises ListError for numbers such as `P01.02` that are codes of parameters: most have more values than a bit."""
+    of_bits = {row.number for row, place in places.rows if place.bits is not None and place.bits[0] == place.bits[1]}
+    bits = [row for row in rows if row.row in of_bits]
+    wider = [
+        row for row in bits if max(row.high or 0, row.default or 0, *dict(row.meanings.members), 0) > 1 or row.unit
+    ]
+    if len(wider) >= _FEWEST_CODES and len(wider) * 2 > len(bits):
+        text = wider[0].texts["address"]
+        raise ListError(
+            f"has `{text}` under {columns_of_sheet.heading('address')}, which is a bit, or the code of a parameter: "
+            f"row {wider[0].row} has more values than a bit; give whole addresses, or name their column with --address"
+        )
 
 
 def _cells(columns_of_sheet: Columns, row: SheetRow, texts: Mapping[str, str]) -> Cells:
@@ -309,7 +327,7 @@ def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRo
     if span is not None and row.words not in (None, span):
         doubts = (*doubts, f"The list says {row.texts.get('words')} words, and {span} addresses.")
     space = reference[0] if reference else row.space
-    return replace(row, address=address, words=row.words or span, space=space, doubts=doubts)
+    return replace(row, address=address, words=span or row.words, space=space, doubts=doubts)
 
 
 def _with_bits_beneath(rows: list[ListRow], register_list: Listing) -> list[ListRow]:

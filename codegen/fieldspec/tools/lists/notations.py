@@ -15,8 +15,9 @@ _DIGITS, _COILS = 5, "coils"
 """The digits of a reference, and the address space whose references may begin with zeros."""
 
 
-_MOST, _OF = 3, 4
-"""The part of the rows that show which of two columns counts from 1."""
+def are_most(number: int, total: int) -> bool:
+    """Whether a number of rows show what holds for all of them: three quarters do."""
+    return number * 4 >= total * 3
 
 
 def with_notations(rows: list[tuple[SheetRow, Place]], columns: Columns) -> tuple[list[tuple[SheetRow, Place]], str]:
@@ -88,7 +89,7 @@ def _with_wire_numbers(
             are_references = all(a is not None and a.reference() for a, _ in ends)
             are_marked = len(filled_pairs) == len(ends) and all(b.mark == HEXADECIMAL for _, b in filled_pairs)
             fitting = sum(_is_reference_or_next(a, b) for a, b in filled_pairs)
-            if not filled_pairs or fitting * _OF < len(filled_pairs) * _MOST or not (are_references or are_marked):
+            if not filled_pairs or not are_most(fitting, len(filled_pairs)) or not (are_references or are_marked):
                 continue
             heading = columns.heading("address") if is_swapped else columns.heading_at(column)
             return [
