@@ -34,9 +34,10 @@ from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
 from fieldspec.tools.lists.row_reading import Cells, ListRow, read_row
 from fieldspec.tools.lists.row_spaces import titled_order, titles, with_spaces
-from fieldspec.tools.lists.shapes import with_elements
+from fieldspec.tools.lists.shapes import BIT, with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns, without_numbers
+from fieldspec.tools.lists.type_words import Loose
 from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import meaning
 
@@ -156,7 +157,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     reason = "has cells that do not stand under the headings"
     refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
-    order = options.order or titled_order(sheet, assumptions)
+    order = options.order or titled_order(sheet, {row.number for row, _ in places.rows}, assumptions)
     further = _further_cells(columns_of_sheet, places, assumptions)
     read = []
     for sheet_row, row_place in places.rows:
@@ -326,6 +327,9 @@ def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRo
         )
     if span is not None and row.words not in (None, span):
         doubts = (*doubts, f"The list says {row.texts.get('words')} words, and {span} addresses.")
+    is_bit = row.type is not None and (row.type.name == BIT or row.type.kind is Loose.TRUTH)
+    if span is not None and span > 1 and is_bit and not row.words:
+        doubts = (*doubts, f"The list says {row.texts.get('type')}, and {span} addresses.")
     space = reference[0] if reference else row.space
     return replace(row, address=address, words=span or row.words, space=space, doubts=doubts)
 

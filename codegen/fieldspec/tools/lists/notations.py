@@ -25,7 +25,10 @@ def with_notations(rows: list[tuple[SheetRow, Place]], columns: Columns) -> tupl
     keys = {*map(folded, columns.headings)}
     if not keys.isdisjoint(words("programs")["function_digit"]):
         return [(row, _behind_function(row_place)) for row, row_place in rows], ""
-    placed_rows, heading = _with_wire_numbers(list(_with_short_references(list(_with_bits(rows)), columns)), columns)
+    placed_rows = list(_with_short_references(list(_with_bits(rows)), columns))
+    if any(row_place.first.mark == REFERENCE and not int(row_place.first.digits) for _, row_place in rows):
+        placed_rows = [(row, _from_zero(row_place)) for row, row_place in placed_rows]
+    placed_rows, heading = _with_wire_numbers(placed_rows, columns)
     return list(_with_coils(placed_rows)), heading
 
 
@@ -36,6 +39,15 @@ def _behind_function(row_place: Place) -> Place:
     if code is None or len(digits) < _DIGITS or not digits.isdecimal():
         return row_place
     return replace(row_place, first=AddressText(str(int(digits[1:])), "", code.space))
+
+
+def _from_zero(row_place: Place) -> Place:
+    """The place of a number such as `3x0000` in a list where it shows that those of tables count from 0."""
+    first, last = (
+        replace(end, mark="") if end is not None and end.mark == REFERENCE else end
+        for end in (row_place.first, row_place.last)
+    )
+    return replace(row_place, first=first or row_place.first, last=last)
 
 
 def _with_bits(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, Place]]:

@@ -239,6 +239,9 @@ def chosen(
     if len(ways) == 1:
         ends = list(_ends(placed_rows))
         lettered = next((end.digits for end in ends if end.lettered), "")
+        if marked := next((end.digits for end in ends if end.mark == REFERENCE), ""):
+            evidence = f"no number of a table is 0, as in `{marked}`"
+            return ways[0], Assumption("addresses", _NOTATIONS[REFERENCE], evidence, "--offset")
         if base_of_heading(heading) == ways[0] or not lettered:
             return ways[0], None
         return ways[0], Assumption("addresses", _NOTATIONS[ways[0]], f"letters among digits: `{lettered}`", "--base")

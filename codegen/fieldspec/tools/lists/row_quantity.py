@@ -48,9 +48,10 @@ _FRACTION = re.compile(
     re.IGNORECASE,
 )
 _EXAMPLE = re.compile(
-    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})(?:\s*-\s*([0-9]{1,9}))?"
-    r"(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→)"
-    r"\s*\+?(-?[0-9]+(?:[.,][0-9]+)?)(?:\s*-\s*([0-9]+(?:[.,][0-9]+)?))?\s*([^\s0-9]{1,5})"
+    r"(?:(?:e\.?g\.?|for example|z\.? ?b\.?|beispiel)\s*:?\s*)?([-+]?[0-9]{1,9})(?:\s*-\s*([0-9]{1,9}))?"
+    r"(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→|means|equals|entspricht|bedeutet)"
+    r"\s*\+?(-?[0-9]+(?:[.,][0-9]+)?)(?:\s*-\s*([0-9]+(?:[.,][0-9]+)?))?\s*([^\s0-9][^0-9=;()]{0,15})",
+    re.IGNORECASE,
 )
 _ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
 _SENTENCES = re.compile(r"[;\n]|[.,](?=\s|$)")
@@ -322,7 +323,13 @@ def _unit_of_texts(texts: Mapping[str, str], names: Sequence[str], decimal: str)
     for name in names:
         aside = parted(name)[1]
         quantity = unit_cell(aside, decimal) if aside else None
-        if quantity is None or not known_unit(quantity.unit) or typed(aside) is not None:
+        is_shouted = aside.isupper() and len(aside) > 1 and quantity is not None and quantity.unit.islower()
+        if (
+            quantity is None
+            or not known_unit(quantity.unit)
+            or typed(aside) is not None
+            or (is_shouted and len(aside) < 3)
+        ):
             continue
         if (
             quantity.scale

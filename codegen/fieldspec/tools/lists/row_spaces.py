@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists import cells
@@ -32,13 +32,14 @@ def with_spaces(rows: list[ListRow], sheet: Sheet, assumptions: list[Assumption]
     return _by_functions(_beneath_titles(_with_numbered_spaces(rows, assumptions), sheet, assumptions))
 
 
-def titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:
-    """The order of words that a row with only a text states for the whole list; empty where none does."""
-    orders = {order: title for title in titles(sheet).values() if (order := described_order(title))}
+def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) -> str:
+    """The order of words that a text beside the rows of a list states for all of them; empty where none does."""
+    texts = (text for row in sheet.rows if row.number not in used for text in row.cells)
+    orders = {order: text for text in texts if (order := described_order(text))}
     if len(orders) != 1:
         return ""
-    ((order, title),) = orders.items()
-    assumptions.append(Assumption("order of words", order, f"`{title}`", "--order"))
+    ((order, text),) = orders.items()
+    assumptions.append(Assumption("order of words", order, f"`{text}`", "--order"))
     return order
 
 

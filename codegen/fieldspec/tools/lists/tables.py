@@ -205,7 +205,7 @@ def headed_columns(sheet: Sheet) -> Columns | None:
 def _is_heading(row: SheetRow) -> bool:
     """Whether a row may be a heading: it has texts, and none of them is an address with digits."""
     filled = [cell for cell in row.cells if cell]
-    numbers = sum(cell[:1].isdigit() and address_text(cell) is not None for cell in filled)
+    numbers = sum(cell[:1].isdigit() and is_place(cell) for cell in filled)
     return bool(filled) and not numbers and max(map(len, filled)) <= _LONGEST_HEADING
 
 
