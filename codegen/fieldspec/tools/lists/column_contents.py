@@ -144,7 +144,7 @@ def role_by_cells(texts: Sequence[str], existing: Set[str], repeats: bool) -> st
     known += sum(value_meanings(text) is not None for text in texts)
     if _MOST_OF_MIXED * len(texts) <= known * _MIXED_OF and existing.isdisjoint(("unit", "values", "range")):
         return "unit"  # whose cells may also be ranges, and values with their meanings
-    are_words = all(sum(map(str.isalpha, text)) >= _LETTERS for text in texts)
+    are_words = sum(sum(map(str.isalpha, text)) >= _LETTERS for text in texts) * 4 >= len(texts) * 3
     return "name" if are_words and not repeats and existing.isdisjoint(("name", "label")) else ""
 
 

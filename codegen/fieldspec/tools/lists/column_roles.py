@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise, product
@@ -35,6 +36,7 @@ _SHORT_WORDS = ((r"^reg(?![a-z])", "register"), (r"\badr\b", "address"), (r"\bfc
 """Patterns of words that headings shorten, and the whole words."""
 
 _BETWEEN = re.compile(r"\s*[/|\n]\s*")
+_WORD = re.compile(r"[A-Z]+(?![^\W\d_A-Z])|[A-Z]?[^\W\d_A-Z]+|[0-9]+")
 _LONGEST = 200
 NOTE = "note"
 FURTHER = ("unit", "type", "values", "space")
@@ -118,7 +120,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         if column is None:
             return None
         places[role] = column
-    heads = [tuple(dict.fromkeys(map(folded, _variants(texts)))) for texts in parts]
+    heads = [_heads(texts) for texts in parts]
     sample = rows[:LOOKED_AT]
     byte_columns = _byte_columns(heads, {*places.values()})
     further: dict[str, tuple[int, ...]] = {"bytes of addresses": byte_columns} if byte_columns else {}
@@ -140,6 +142,8 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
                 for column in fits
                 if not {*heads[column]}.isdisjoint(role_words) and (role != "access" or is_alike(texts[column]))
             ]
+        if role == "words":
+            columns = [column for column in columns if "n" not in heads[column] or not counts_on(sample, column)]
         if role in FACTORS:
             columns = [column for column in columns if not are_exponents(sample, column)]
         if role == "exponent" and not columns:
@@ -225,13 +229,22 @@ def _places_by_cells(
     """The columns of roles that no heading names, where all their cells show the role."""
     used_columns = _used(places, further)
     result: dict[str, int] = {}
+    label = places.get("label")
+    is_sparse = label is not None and _is_sparse(rows, label)
     for column in range(max((len(row.cells) for row in rows), default=0)):
         texts = [text for row in rows if (text := row.cell(column))]
         if column in used_columns or headings[column : column + 1] == (GROUP,):
             continue
-        role = role_by_cells(texts, {*places, *result}, repeats(rows, column))
+        existing = {*places, *result} - ({"label"} if is_sparse else set())
+        role = role_by_cells(texts, existing, repeats(rows, column) or _is_sparse(rows, column))
         result |= {role: column} if role else {}
     return result
+
+
+def _is_sparse(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether less than half of the rows with several cells have one in a column."""
+    filled = [row for row in rows if sum(map(bool, row.cells)) > 1]
+    return sum(bool(row.cell(column)) for row in filled) * 2 < len(filled)
 
 
 def _has_addresses_of(rows: Sequence[SheetRow], column: int, further_column: int) -> bool:
@@ -251,7 +264,7 @@ def _has_addresses_of(rows: Sequence[SheetRow], column: int, further_column: int
 
 def address_rank(heading: str) -> int:
     """How clearly a heading is that of addresses: 2 for one that says so, 1 for a notation of any numbers, else 0."""
-    heads = tuple(map(folded, _variants([heading])))
+    heads = _heads([heading])
     is_address = _space_of_heading(heading) or _ranked([heads], words("headings")["address"], set())
     is_clear = set(_NOTATIONS).isdisjoint(heads) or _space_of_heading(without_brackets(heading))
     return 0 if not is_address else 2 if is_clear else 1
@@ -298,7 +311,7 @@ def _rising_columns(rows: Sequence[SheetRow], used_columns: set[int]) -> list[in
     return columns
 
 
-def _byte_columns(heads: Sequence[tuple[str, ...]], used_columns: set[int]) -> tuple[int, ...]:
+def _byte_columns(heads: Sequence[Mapping[str, frozenset[int]]], used_columns: set[int]) -> tuple[int, ...]:
     """The columns with the high and the low byte of addresses; empty if the list has none."""
     halves = [_ranked(heads, words("address_bytes")[half], used_columns)[:1] for half in ("high", "low")]
     return (*halves[0], *halves[1]) if all(halves) else ()
@@ -332,7 +345,22 @@ def _variants(texts: Sequence[str]) -> Iterator[str]:
             yield next(piece for piece in pieces if folded(piece) in whole_words())
 
 
-def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_columns: set[int]) -> list[int]:
+def _heads(texts: Sequence[str]) -> dict[str, frozenset[int]]:
+    """The variants of a heading, folded, each with the places at which its words begin and end."""
+    return {folded(text): frozenset(_ends_of_words(text)) for text in _variants(texts)}
+
+
+def _ends_of_words(text: str) -> Iterator[int]:
+    place = 0
+    yield place
+    for word in _WORD.findall(unicodedata.normalize("NFKC", text)):
+        place += len(folded(word))
+        yield place
+
+
+def _ranked(
+    heads: Sequence[Mapping[str, frozenset[int]]], role_words: Sequence[str], used_columns: set[int]
+) -> list[int]:
     """The columns whose headings fit a role, the likeliest first. No part counts of a heading that is another word."""
     whole = whole_words()
     ranked_columns: dict[int, None] = {}
@@ -340,7 +368,7 @@ def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_co
         for column, texts in enumerate(heads):
             if (
                 column not in used_columns
-                and any(_fits(text, word) for text in texts)
+                and any(_fits(text, ends, word) for text, ends in texts.items())
                 and (
                     not word.startswith("*")
                     or whole.keys().isdisjoint(texts)
@@ -351,8 +379,20 @@ def _ranked(heads: Sequence[tuple[str, ...]], role_words: Sequence[str], used_co
     return list(ranked_columns)
 
 
-def _fits(head: str, word: str) -> bool:
-    return word[1:] in head if word.startswith("*") else head == word
+def _fits(head: str, ends: frozenset[int], word: str) -> bool:
+    """Whether a heading is a word, or has a part that begins or ends with a word and is not made of two: neither the
+    `values` of `My Value Slave` are one, nor the `min` of `Nominal`."""
+    if not word.startswith("*"):
+        return head == word
+    part = word[1:]
+    place = head.find(part)
+    while place >= 0:
+        end = place + len(part)
+        known = (place in ends, end in ends)
+        if not part.isascii() or all(known) or (any(known) and not any(place < inner < end for inner in ends)):
+            return True
+        place = head.find(part, place + 1)
+    return False
 
 
 def column_index(headings: Sequence[str], text: str) -> int | None:

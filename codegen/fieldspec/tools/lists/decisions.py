@@ -19,6 +19,7 @@ from fieldspec.tools.lists.row_quantity import FACTORS, unread_scales
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.type_words import UNSIGNED, Typed
+from fieldspec.tools.lists.value_texts import Meanings, NamedBits
 from fieldspec.tools.lists.words import folded
 
 _STATE_NUMBER = re.compile("0|-1|255|-?99+")
@@ -27,6 +28,12 @@ _FEWEST = 3
 
 _OF_SCALES = re.compile(r"\b(?:sf|scale|scaling|exponent)(?:\b|_)|_sf$", re.IGNORECASE)
 """The names of rows with exponents, as in SunSpec."""
+
+_FEWEST_MASKS = 4
+"""The masks of bits that show without a type that values are bits: 1, 2, 4, 8."""
+
+_OF_BITS = re.compile(r"^bits?$|bitfield|bitmap|bitmask|flags?$|flags?[0-9]|bitstring|^b?mask")
+"""The folded types that have bits."""
 
 _WIDE = 4
 """The bytes of the registers of most chips."""
@@ -89,7 +96,30 @@ def decided(
     assumptions += [
         decision for decision in (length_assumption, gain_assumption, bounds_assumption) if decision is not None
     ]
-    return [_with_states(replace(row, in_unit=bounds == UNIT and row.scale not in (None, 1))) for row in decided]
+    decided = [_with_states(replace(row, in_unit=bounds == UNIT and row.scale not in (None, 1))) for row in decided]
+    return _with_masks(decided, assumptions)
+
+
+def _with_masks(rows: Sequence[ListRow], assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows, with the values of a bit field as bits where each is the mask of one: 1, 2, 4, 8."""
+    result = []
+    examples = []
+    for row in rows:
+        members = dict(row.meanings.members)
+        masks = sorted(number for number in members if number)
+        has_no_quantity = row.scale in (None, 1) and not row.unit and row.bits is None and not row.meanings.bits
+        are_masks = len(masks) > 1 and has_no_quantity and all(0 < mask == mask & -mask for mask in masks)
+        is_stated = _OF_BITS.search(folded(row.texts.get("type", ""))) is not None
+        is_whole = len(masks) >= _FEWEST_MASKS and masks == [1 << number for number in range(len(masks))]
+        if are_masks and (is_stated or is_whole):
+            bits = tuple(NamedBits(mask.bit_length() - 1, mask.bit_length() - 1, members[mask]) for mask in masks)
+            doubts = (*row.doubts, *([f"Values in the list: 0 {members[0]}."] if 0 in members else []))
+            row = replace(row, meanings=Meanings(bits=bits), doubts=doubts)
+            examples += [", ".join(map(str, masks[:4]))] if not is_stated else []
+        result.append(row)
+    if examples:
+        assumptions.append(Assumption("values", "bits", f"their numbers are masks of bits: {examples[0]}"))
+    return result
 
 
 def _with_states(row: ListRow) -> ListRow:

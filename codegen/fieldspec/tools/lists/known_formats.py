@@ -14,6 +14,7 @@ _FORMATS = (
     (can_database.SIGNS.pattern, "a database of CAN messages (DBC)"),
     (r"^[ \t]*(?:addrmap|regfile|reg)\b[^\n]*\{", "a description of registers in SystemRDL"),
     (r"\A(?:[ \t]*(?:[#;][^\n]*)?\n)*[ \t]*\[{1,2}[A-Za-z][\w. -]*\]{1,2}[ \t\r]*$", "a configuration in TOML or INI"),
+    (r"^(?:poll|ref),[\w ]+,[0-9]+,", "a configuration of modpoll"),
     (r"^[ \t]*Bridge +\w+(?::[\w-]+){1,3} .*[\[{]", "a file of things of openHAB"),
     (r"^#\s*type \(r\[1-9\]", "a configuration of messages of an eBUS"),
     (r"^[ \t]*#[ \t]*(?:define|ifndef|include)[ \t]|^[ \t]*(?:typedef )?enum (?:class )?\w* ?\{", "source code in C"),
@@ -29,7 +30,7 @@ _FORMATS = (
     (r"<(?:spirit|ipxact|kactus2):", "a component in IP-XACT"),
     (r"<device\b[^>]*\bschemaVersion=|<peripherals>", "a description of a chip (CMSIS-SVD)"),
     (r"<ISO15745Profile", "a device description in XML (XDD)"),
-    (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z][\w:]*[\s>/]", "XML or HTML"),
+    (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z!][\w:-]*[\s>/]", "XML or HTML"),
 )
 _KEY = re.compile(r"[A-Za-z_][\w/]*:(?: |$)")
 _SECTION = re.compile(r"(?:[A-Za-z_][\w/-]*|([\"'])[\w.-]+\1):\s*$|- [A-Za-z_]\w*:(?: |$)")

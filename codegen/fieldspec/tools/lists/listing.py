@@ -34,14 +34,16 @@ from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
 from fieldspec.tools.lists.row_reading import Cells, ListRow, read_row
 from fieldspec.tools.lists.row_spaces import titled_order, titles, with_spaces
-from fieldspec.tools.lists.shapes import with_elements
+from fieldspec.tools.lists.shapes import BIT, with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns, without_numbers
+from fieldspec.tools.lists.type_words import Loose
 from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import meaning
 
 _NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 
+_FEWEST_CODES = 3
 _WIDE_STEPS = (4, 8)
 """The bytes of registers with more than a word."""
 
@@ -155,7 +157,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     reason = "has cells that do not stand under the headings"
     refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
-    order = options.order or titled_order(sheet, assumptions)
+    order = options.order or titled_order(sheet, {row.number for row, _ in places.rows}, assumptions)
     further = _further_cells(columns_of_sheet, places, assumptions)
     read = []
     for sheet_row, row_place in places.rows:
@@ -191,6 +193,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     if not read:
         raise ListError(f"has no row that can be taken: {refused[0].text()}")
     undecided: list[Assumption] = []
+    if not own:
+        _refuse_codes(read, places, columns_of_sheet)
     if own:
         read = [exported_row(row) for row in read]
         marks = {row.cited.mark if row.cited is not None else LINES for row in read}
@@ -214,6 +218,21 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         own,
         options.address_unit == "bytes",
     )
+
+
+def _refuse_codes(rows: Sequence[ListRow], places: Placed, columns_of_sheet: Columns) -> None:
+    """Raises ListError for numbers such as `P01.02` that are codes of parameters: most have more values than a bit."""
+    of_bits = {row.number for row, place in places.rows if place.bits is not None and place.bits[0] == place.bits[1]}
+    bits = [row for row in rows if row.row in of_bits]
+    wider = [
+        row for row in bits if max(row.high or 0, row.default or 0, *dict(row.meanings.members), 0) > 1 or row.unit
+    ]
+    if len(wider) >= _FEWEST_CODES and len(wider) * 2 > len(bits):
+        text = wider[0].texts["address"]
+        raise ListError(
+            f"has `{text}` under {columns_of_sheet.heading('address')}, which is a bit, or the code of a parameter: "
+            f"row {wider[0].row} has more values than a bit; give whole addresses, or name their column with --address"
+        )
 
 
 def _cells(columns_of_sheet: Columns, row: SheetRow, texts: Mapping[str, str]) -> Cells:
@@ -308,8 +327,11 @@ def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRo
         )
     if span is not None and row.words not in (None, span):
         doubts = (*doubts, f"The list says {row.texts.get('words')} words, and {span} addresses.")
+    is_bit = row.type is not None and (row.type.name == BIT or row.type.kind is Loose.TRUTH)
+    if span is not None and span > 1 and is_bit and not row.words:
+        doubts = (*doubts, f"The list says {row.texts.get('type')}, and {span} addresses.")
     space = reference[0] if reference else row.space
-    return replace(row, address=address, words=row.words or span, space=space, doubts=doubts)
+    return replace(row, address=address, words=span or row.words, space=space, doubts=doubts)
 
 
 def _with_bits_beneath(rows: list[ListRow], register_list: Listing) -> list[ListRow]:

@@ -15,8 +15,9 @@ _DIGITS, _COILS = 5, "coils"
 """The digits of a reference, and the address space whose references may begin with zeros."""
 
 
-_MOST, _OF = 3, 4
-"""The part of the rows that show which of two columns counts from 1."""
+def are_most(number: int, total: int) -> bool:
+    """Whether a number of rows show what holds for all of them: three quarters do."""
+    return number * 4 >= total * 3
 
 
 def with_notations(rows: list[tuple[SheetRow, Place]], columns: Columns) -> tuple[list[tuple[SheetRow, Place]], str]:
@@ -24,7 +25,10 @@ def with_notations(rows: list[tuple[SheetRow, Place]], columns: Columns) -> tupl
     keys = {*map(folded, columns.headings)}
     if not keys.isdisjoint(words("programs")["function_digit"]):
         return [(row, _behind_function(row_place)) for row, row_place in rows], ""
-    placed_rows, heading = _with_wire_numbers(list(_with_short_references(list(_with_bits(rows)), columns)), columns)
+    placed_rows = list(_with_short_references(list(_with_bits(rows)), columns))
+    if any(row_place.first.mark == REFERENCE and not int(row_place.first.digits) for _, row_place in rows):
+        placed_rows = [(row, _from_zero(row_place)) for row, row_place in placed_rows]
+    placed_rows, heading = _with_wire_numbers(placed_rows, columns)
     return list(_with_coils(placed_rows)), heading
 
 
@@ -35,6 +39,15 @@ def _behind_function(row_place: Place) -> Place:
     if code is None or len(digits) < _DIGITS or not digits.isdecimal():
         return row_place
     return replace(row_place, first=AddressText(str(int(digits[1:])), "", code.space))
+
+
+def _from_zero(row_place: Place) -> Place:
+    """The place of a number such as `3x0000` in a list where it shows that those of tables count from 0."""
+    first, last = (
+        replace(end, mark="") if end is not None and end.mark == REFERENCE else end
+        for end in (row_place.first, row_place.last)
+    )
+    return replace(row_place, first=first or row_place.first, last=last)
 
 
 def _with_bits(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, Place]]:
@@ -88,7 +101,7 @@ def _with_wire_numbers(
             are_references = all(a is not None and a.reference() for a, _ in ends)
             are_marked = len(filled_pairs) == len(ends) and all(b.mark == HEXADECIMAL for _, b in filled_pairs)
             fitting = sum(_is_reference_or_next(a, b) for a, b in filled_pairs)
-            if not filled_pairs or fitting * _OF < len(filled_pairs) * _MOST or not (are_references or are_marked):
+            if not filled_pairs or not are_most(fitting, len(filled_pairs)) or not (are_references or are_marked):
                 continue
             heading = columns.heading("address") if is_swapped else columns.heading_at(column)
             return [

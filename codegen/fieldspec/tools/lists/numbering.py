@@ -22,7 +22,7 @@ from fieldspec.tools.lists.addresses import (
 )
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.column_roles import Columns
-from fieldspec.tools.lists.notations import with_notations
+from fieldspec.tools.lists.notations import are_most, with_notations
 from fieldspec.tools.lists.sheet import CellError, ListError, SheetRow
 from fieldspec.tools.lists.words import folded, words
 
@@ -239,6 +239,9 @@ def chosen(
     if len(ways) == 1:
         ends = list(_ends(placed_rows))
         lettered = next((end.digits for end in ends if end.lettered), "")
+        if marked := next((end.digits for end in ends if end.mark == REFERENCE), ""):
+            evidence = f"no number of a table is 0, as in `{marked}`"
+            return ways[0], Assumption("addresses", _NOTATIONS[REFERENCE], evidence, "--offset")
         if base_of_heading(heading) == ways[0] or not lettered:
             return ways[0], None
         return ways[0], Assumption("addresses", _NOTATIONS[ways[0]], f"letters among digits: `{lettered}`", "--base")
@@ -283,7 +286,8 @@ def _for_references(placed_rows: Placed, ends: Sequence[AddressText], spaces: Ma
     lowest = min(references, key=lambda reference: reference[1])
     if any(_is_beyond(end) for end in ends):
         yield f"some numbers are greater than {_LAST_WORD}"
-    if lowest[1] < _NEAR:
+    are_low = are_most(sum(reference[1] < _FAR for reference in references), len(references))
+    if lowest[1] == 0 or (lowest[1] < _NEAR and are_low):
         yield f"the numbers begin {lowest[1] + 1} above the numbers of a table"
     agreeing = [row.number for row, row_place in placed_rows.rows if _table(row_place) == spaces.get(row.number)]
     contradicting = _contradicting(placed_rows, spaces)

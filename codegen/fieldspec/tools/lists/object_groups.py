@@ -123,8 +123,11 @@ def _joined(groups: list[_Group]) -> list[dict[str, Any]]:
     """
     if len({group.name for group in groups}) == 1:
         return [item for group in groups for item in group.objects]
-    if all(space(group.name) for group in groups):
-        return [{"space": group.name, **item} for group in groups for item in group.objects]
+    spaces = {group.name: space(group.name) for group in groups}
+    if any(spaces.values()):  # beside `hold`, `read` is the other table of registers
+        spaces |= {name: "input_registers" for name in spaces if folded(name) == "read"}
+    if all(spaces.values()):
+        return [{"space": spaces[group.name], **item} for group in groups for item in group.objects]
     pairs = {(group.name, str(item.get("name", ""))) for group in groups for item in group.objects}
     times = Counter(name for _, name in pairs)
     return [

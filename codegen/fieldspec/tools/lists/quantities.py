@@ -30,7 +30,7 @@ _BEFORE = re.compile(
 )
 """A factor with the sign before it, and perhaps a unit: `÷10 for %`."""
 
-_BEHIND = re.compile(r"([^\d\s*/x\u00d7÷]+[^\s*/x\u00d7÷]*)\s*([*/x\u00d7÷])\s*([0-9][0-9.,]*)")
+_BEHIND = re.compile(r"(\S.*?)\s*([*/x\u00d7÷])\s*([0-9][0-9.,]*)")
 _LINEAR = re.compile(
     r"\(?\s*(?:[a-z_][a-z_ ]*|\[[0-9]+\])\s*(?:([*/x\u00d7÷])\s*([0-9][0-9.,]*(?:e-?[0-9]+)?))?"
     r"\s*\)?\s*(?:([-+])\s*([0-9][0-9.,]*))?",
@@ -47,7 +47,7 @@ _CALLED = re.compile(r"(?:(scale|multiply|mul|times)|divide|div)\(\s*([0-9][0-9.
 _SYMBOL = re.compile(r"[^\W\d_°%µΩ\u2032″‰]*[°%‰]?[^\W\d_]*(?:[/·*^⁻¹²³][^\W_]{1,8}){0,3}[²³]?")
 _PER_COUNT = re.compile(r"\s*(?:/|\bper\b)\s*(?:bit|digit|lsb|count|step)s?$", re.IGNORECASE)
 _NO_UNIT = ("", "-", "--", "---", "n/a", "na", "none", "/", "1", ".", "无", "無", "keine", "aucune", "\u2013", "\u2014")
-_LONGEST_SYMBOL = 12
+_LONGEST_SYMBOL, _SHORTEST_WORD = 12, 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,6 +142,9 @@ def unit_cell(text: str, decimal: str) -> Quantity | None:
         return Quantity(step, unit) if prefix[1] or step < 1 else Quantity(unit=unit, times=step)
     if suffix := _BEHIND.fullmatch(text):
         unit, value = known_unit(suffix[1]), number(suffix[3], decimal)
+        scaled = scaled_unit(suffix[1], decimal) if suffix[2] not in "/÷" and value is not None else None
+        if scaled is not None and scaled.scale is not None and scaled.scale * Fraction(value or 0) == 1:
+            return scaled  # `0.1 °C x 10` says the step, and how many of them are one of the unit
         if unit and value is not None and value > 1 and suffix[2] in "/÷":
             return Quantity(1 / Fraction(value), unit)
         if unit and value is not None and 0 < value < 1:
@@ -154,7 +157,7 @@ def unit_cell(text: str, decimal: str) -> Quantity | None:
             return Quantity(outer.scale or (inner.scale if inner else None), outer.unit)
         return None
     symbol = text.strip("[]() ")
-    is_word = symbol.isalpha() and symbol == symbol.lower()
+    is_word = symbol.isalpha() and (symbol.islower() or (len(symbol) >= _SHORTEST_WORD and symbol[1:].islower()))
     return Quantity(unit=symbol) if is_symbol(symbol) and not is_word else None
 
 

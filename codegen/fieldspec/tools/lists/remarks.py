@@ -20,7 +20,8 @@ _SPOKEN_ACCESS = re.compile(
 
 _STATE = re.compile(r"(NaN 0x[0-9A-F]+|-?[0-9]+(?:\.\.-?[0-9]+)?) ([a-z0-9_]+)")
 _PHRASE = re.compile(
-    r"(0x[0-9a-f]{2,16}|-?[0-9]{1,20})\s*(?:=|:|->|→|\b(?:when|if|wenn|bei)\b)\s*([^\W\d][^=:;,]{1,40})", re.IGNORECASE
+    r"(0x[0-9a-f]{2,16}|-?[0-9]{1,20})\s*(?:=|:|->|→|\b(?:when|if|wenn|bei)\b)\s*([^\W\d][^=:;,/<>*+0-9]{1,40})",
+    re.IGNORECASE,
 )
 _NO_VALUE = "no_value"
 """The name of a state whose number alone is in the list."""

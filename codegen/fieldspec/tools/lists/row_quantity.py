@@ -48,9 +48,10 @@ _FRACTION = re.compile(
     re.IGNORECASE,
 )
 _EXAMPLE = re.compile(
-    r"(?:e\.?g\.?\s*)?([-+]?[0-9]{1,9})(?:\s*-\s*([0-9]{1,9}))?"
-    r"(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→)"
-    r"\s*\+?(-?[0-9]+(?:[.,][0-9]+)?)(?:\s*-\s*([0-9]+(?:[.,][0-9]+)?))?\s*([^\s0-9]{1,5})"
+    r"(?:(?:e\.?g\.?|for example|z\.? ?b\.?|beispiel)\s*:?\s*)?([-+]?[0-9]{1,9})(?:\s*-\s*([0-9]{1,9}))?"
+    r"(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→|means|equals|entspricht|bedeutet)"
+    r"\s*\+?(-?[0-9]+(?:[.,][0-9]+)?)(?:\s*-\s*([0-9]+(?:[.,][0-9]+)?))?\s*([^\s0-9][^0-9=;()]{0,15})",
+    re.IGNORECASE,
 )
 _ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
 _SENTENCES = re.compile(r"[;\n]|[.,](?=\s|$)")
@@ -67,14 +68,14 @@ _LABEL = re.compile(
 )
 """A word, and a number after it, perhaps with the sign of a factor before it."""
 
-_FIXED = re.compile(r"fix(?:ed)?[ _]?([0-9])", re.IGNORECASE)
+_FIXED = re.compile(r"(?:fix(?:ed)?|dec(?:imals?)?)[ _]?([0-9])", re.IGNORECASE)
 _FORMATS = {"temp": 1}
 """The places after the point of formats that have names beside `FIX2`."""
 
 _NO_FORMULAS = ("none", "v", "value", "raw", "rawvalue", "x", "val", "y", "keine", "无")
 _HIGHEST_EXPONENT = 9
-_COULOMB = "C"
-"""The symbol that lists write for degrees."""
+_DEGREES = {"C": "°C", "F": "°F"}
+"""The symbols of other units that lists write for degrees."""
 
 
 def quantity_of(
@@ -88,9 +89,9 @@ def quantity_of(
     """The unit of a row, and the scale and the offset that need no decision for the whole list."""
     text = texts.get("unit", "")
     unit = (scaled_unit(text, decimal) or unit_cell(text, decimal)) if text else _unit_of_texts(texts, names, decimal)
-    if unit is not None and unit.unit == _COULOMB:
+    if unit is not None and unit.unit in _DEGREES:
         is_temperature = any(word in folded(name) for name in names for word in words("measured")["K"])
-        unit = replace(unit, unit="°C") if is_temperature else None
+        unit = replace(unit, unit=_DEGREES[unit.unit]) if is_temperature else None
     if unit is None and (step := number(text, decimal)) is not None and 0 < step < 1:
         unit = Quantity(Fraction(step))
     if unit is None or (typed(unit.unit) is not None and not known_unit(unit.unit)):
@@ -147,7 +148,13 @@ def quantity_of(
             elif scaled is not None and scaled.times is None:
                 unit = replace(unit, unit=unit.unit or scaled.unit)
     type_aside = texts.get("type", "").partition(",")[2].strip()
-    if not stated and in_counts.times is None and not has_factors:
+    of_step = _step(texts, decimal)
+    is_open = not stated and in_counts.times is None and not has_factors
+    if of_step is not None and is_open and unit.unit in ("", of_step.unit or unit.unit):
+        return replace(of_step, unit=unit.unit or of_step.unit, offset=offset)
+    if texts.get("step") and factor(texts["step"], decimal) != 1:
+        doubts.append(f"Step in the list: {texts['step']}.")
+    if is_open:
         for described in (
             *names,
             *(note for _, note in notes),
@@ -166,6 +173,15 @@ def quantity_of(
     if scales or in_counts.times is None:
         return Quantity(next(iter(scales), None), unit.unit, offset)
     return Quantity(None, unit.unit, offset, in_counts.times, in_counts.evidence)
+
+
+def _step(texts: Mapping[str, str], decimal: str) -> Quantity | None:
+    """The scale of a row whose settings have a step of a tenth or the like; None for greater steps, and for others, of
+    which counts may be parts: `5`, `0.5`."""
+    text = texts.get("step", "")
+    scaled = scaled_unit(text, decimal) or Quantity(factor(text, decimal))
+    is_part = scaled.scale is not None and scaled.scale < 1 and _is_power(scaled)
+    return replace(scaled, evidence=f"step {text}") if is_part else None
 
 
 def factor_cell(texts: Mapping[str, str], role: str) -> str:
@@ -269,8 +285,14 @@ def unread_scales(texts: Mapping[str, str]) -> list[str]:
 
 def decimal_places(text: str) -> int | None:
     """How many places a count has after the point: a number, or the name of a format such as `FIX2`."""
+    places = named_places(text)
+    return places if places is not None else whole(text)
+
+
+def named_places(text: str) -> int | None:
+    """The places after the point of a format that its name says: `FIX2`, `DEC 1`."""
     fixed = _FIXED.fullmatch(text.strip())
-    return int(fixed[1]) if fixed else _FORMATS.get(folded(text), whole(text))
+    return int(fixed[1]) if fixed else _FORMATS.get(folded(text))
 
 
 def _powers(texts: Mapping[str, str], doubts: list[str]) -> Iterator[tuple[Fraction, str]]:
@@ -301,7 +323,13 @@ def _unit_of_texts(texts: Mapping[str, str], names: Sequence[str], decimal: str)
     for name in names:
         aside = parted(name)[1]
         quantity = unit_cell(aside, decimal) if aside else None
-        if quantity is None or not known_unit(quantity.unit) or typed(aside) is not None:
+        is_shouted = aside.isupper() and len(aside) > 1 and quantity is not None and quantity.unit.islower()
+        if (
+            quantity is None
+            or not known_unit(quantity.unit)
+            or typed(aside) is not None
+            or (is_shouted and len(aside) < 3)
+        ):
             continue
         if (
             quantity.scale

@@ -14,9 +14,9 @@ from fieldspec.tools.lists.brackets import parted
 from fieldspec.tools.lists.cells import COMMA, POINT, access, answer, bounds, functions, number, number_in_unit, whole
 from fieldspec.tools.lists.item import MESSAGES
 from fieldspec.tools.lists.orders import joined_order, stated_order
-from fieldspec.tools.lists.quantities import known_unit, scaled_unit
+from fieldspec.tools.lists.quantities import known_unit, scaled_unit, unit_cell
 from fieldspec.tools.lists.remarks import special_states, spoken_access
-from fieldspec.tools.lists.row_quantity import FACTORS, described_range, example, open_factor, quantity_of
+from fieldspec.tools.lists.row_quantity import FACTORS, described_range, example, named_places, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, described_order, typed
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, mask_bits, value_meanings
 from fieldspec.tools.lists.words import folded, meaning
@@ -144,8 +144,8 @@ class Cells:
 
 def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     """A row without its address. `decimal` is the sign before a fraction, `default_order` that of other rows."""
-    texts = _rerouted(row.texts)
     doubts: list[str] = []
+    texts = _rerouted(row.texts, doubts)
     described = [text for text in (texts.get("label", ""), *(note for _, note in row.notes)) if text]
     own_type = _type(texts, described, doubts)
     if own_type is not None and own_type.factor and not row.has_factors:
@@ -188,15 +188,27 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     )
 
 
-def _rerouted(texts: Mapping[str, str]) -> Mapping[str, str]:
-    """The cells of a row; a cell under the heading of units is one of values, or a range, if it has these."""
-    text = _VALUE_WORD.sub("", texts.get("unit", ""))
-    meanings = value_meanings(text)
-    is_list = meanings is not None and len(meanings.members) + len(meanings.bits) > 1
-    role = "values" if is_list else "range" if bounds(text) is not None else ""
-    if not role or role in texts:
-        return texts
-    return {**{key: cell for key, cell in texts.items() if key != "unit"}, role: text}
+def _rerouted(texts: Mapping[str, str], doubts: list[str]) -> Mapping[str, str]:
+    """The cells of a row; a cell under the heading of units or of types is one of values, a range or a unit, if it has
+    these."""
+    for role in ("unit", "type"):
+        text = _VALUE_WORD.sub("", texts.get(role, ""))
+        if not text or (role == "type" and typed(text) is not None):
+            continue
+        meanings = value_meanings(text)
+        is_list = meanings is not None and len(meanings.members) + len(meanings.bits) > 1
+        target = "values" if is_list or example(text, COMMA) else "range" if bounds(text) is not None else ""
+        quantity = unit_cell(text, COMMA) if role == "type" and not target else None
+        if quantity is not None and quantity.scale is not None and known_unit(quantity.unit):
+            target = "unit"
+            if "unit" in texts and unit_cell(texts["unit"], COMMA) is None:
+                doubts.append(f"Unit in the list: {texts['unit']}.")
+                texts = {key: cell for key, cell in texts.items() if key != "unit"}
+        elif role == "type" and not target and named_places(text) is not None:
+            target = "places"
+        if target and target not in texts:
+            texts = {**{key: cell for key, cell in texts.items() if key != role}, target: text}
+    return texts
 
 
 def _type(texts: Mapping[str, str], described: Sequence[str], doubts: list[str]) -> Typed | None:

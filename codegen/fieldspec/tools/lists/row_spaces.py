@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Sequence, Set
 
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import TABLES
 from fieldspec.tools.lists.assumption import Assumption
-from fieldspec.tools.lists.brackets import parted
+from fieldspec.tools.lists.brackets import parted, without_brackets
 from fieldspec.tools.lists.cells import functions
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import Sheet
 from fieldspec.tools.lists.type_words import described_order
 from fieldspec.tools.lists.words import folded
+
+_FUNCTION = re.compile(
+    r"\b(?:function(?: code)?|fc|функция|funktion|función|fonction|funzione) ?((?:0x)?0?[1-6])\b", re.IGNORECASE
+)
+_PHRASE = 8
+"""The fewest letters of an access in a title: `read only`, and not `input`."""
 
 _SHORTEST_TITLE, _LONGEST_TITLE, _COILS = 8, 5, "coils"
 """The fewest letters of a title that names a space: shorter titles, such as `Inputs`, name groups; and the most words
@@ -25,13 +32,14 @@ def with_spaces(rows: list[ListRow], sheet: Sheet, assumptions: list[Assumption]
     return _by_functions(_beneath_titles(_with_numbered_spaces(rows, assumptions), sheet, assumptions))
 
 
-def titled_order(sheet: Sheet, assumptions: list[Assumption]) -> str:
-    """The order of words that a row with only a text states for the whole list; empty where none does."""
-    orders = {order: title for title in titles(sheet).values() if (order := described_order(title))}
+def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) -> str:
+    """The order of words that a text beside the rows of a list states for all of them; empty where none does."""
+    texts = (text for row in sheet.rows if row.number not in used for text in row.cells)
+    orders = {order: text for text in texts if (order := described_order(text))}
     if len(orders) != 1:
         return ""
-    ((order, title),) = orders.items()
-    assumptions.append(Assumption("order of words", order, f"`{title}`", "--order"))
+    ((order, text),) = orders.items()
+    assumptions.append(Assumption("order of words", order, f"`{text}`", "--order"))
     return order
 
 
@@ -42,16 +50,18 @@ def titles(sheet: Sheet) -> dict[int, str]:
 
 
 def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:
-    """The rows; rows that name no space are in the space of the title above, a row with only the name of a space."""
-    headed: dict[int, tuple[str, str]] = {}
+    """The rows; rows that name no space are in the space of the title above, a row with only the name of a space, and
+    have the access that it says. In a document, another heading of the same level ends it."""
+    headed: dict[int, tuple[str, str, str]] = {}
+    level = 0
     for number, text in titles(sheet).items():
-        is_long = len(folded(text)) >= _SHORTEST_TITLE or folded(text) == _COILS
-        bare, aside = parted(text.strip("#*_ "))
-        beginning = " ".join(bare.split()[:2]) if len(bare.split()) <= _LONGEST_TITLE else ""
-        if is_long and (space := cells.space(text) or cells.space(aside) or cells.space(beginning)):
-            headed[number] = space, text
+        own_level = len(text) - len(text.lstrip("#"))
+        if space := _titled_space(text):
+            headed[number], level = (space, text, _titled_access(text)), own_level
+        elif 0 < own_level <= level:
+            headed[number], level = ("", "", ""), 0
     result = []
-    title, used = ("", ""), dict[str, str]()
+    title, used, titled = ("", "", ""), dict[str, str](), dict[str, str]()
     ordered = sorted(
         [*((number, None) for number in headed), *((row.row, row) for row in rows)], key=lambda pair: pair[0]
     )
@@ -59,12 +69,39 @@ def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Ass
         if list_row is None:
             title = headed[number]
         else:
-            used |= dict([title]) if title[0] and not list_row.space else {}
-            result.append(replace(list_row, space=list_row.space or title[0]))
+            space, text, access = title
+            used |= {space: text} if space and not list_row.space else {}
+            is_titled = bool(access) and not list_row.access and list_row.space in ("", space)
+            titled |= {access: text} if is_titled else {}
+            own_access = access if is_titled else list_row.access
+            result.append(replace(list_row, space=list_row.space or space, access=own_access))
     if used:
         reading = ", ".join(f"{space} below `{text}`" for space, text in used.items())
         assumptions.append(Assumption("address space", reading, "the titles", "--space"))
+    if titled:
+        reading = ", ".join(f"{access} below `{text}`" for access, text in titled.items())
+        assumptions.append(Assumption("access", reading, "the titles", "--access"))
     return result
+
+
+def _titled_space(text: str) -> str:
+    """The space that a title names, or whose function it has: `### Input Registers (read only) - Function 04`."""
+    bare, aside = parted(text.strip("#*_ "))
+    title_words = without_brackets(bare).split()
+    beginning = " ".join(title_words[:2]) if len(title_words) <= _LONGEST_TITLE else ""
+    is_long = len(folded(text)) >= _SHORTEST_TITLE or folded(text) == _COILS
+    stated = cells.space(text) or cells.space(aside) or cells.space(beginning) if is_long else ""
+    is_title = text.startswith("#") or len(title_words) <= _LONGEST_TITLE
+    code = _FUNCTION.search(text) if not stated and is_title else None
+    read = functions(code[1]) if code else None
+    return stated or (read.space if read is not None else "")
+
+
+def _titled_access(text: str) -> str:
+    """The access that a title says between other words: `(read/write)`, `- Read-Only Sensor Data`."""
+    pieces = [piece.strip(" #*_") for piece in re.split(r"[()\[\],:\u2013]| - ", text)]
+    phrases = [piece for piece in (*pieces, *(piece.partition(" ")[0] for piece in pieces)) if len(piece) >= _PHRASE]
+    return next(filter(None, map(cells.access, phrases)), "")
 
 
 def _with_numbered_spaces(rows: list[ListRow], assumptions: list[Assumption]) -> list[ListRow]:

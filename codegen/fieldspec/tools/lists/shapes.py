@@ -51,7 +51,8 @@ def shape(row: ListRow, in_bits: bool) -> Shape:
         return _of_text(row, name, length)
     if name in _WHOLE_WORDS:
         doubt = f"The list says {type_text}, which fills no whole number of words."
-        return Shape(_WHOLE_WORDS[name], row.words or size, row.count, (doubt,))
+        whole = _WHOLE_WORDS[name] if row.words in (None, size) else "bytes"
+        return Shape(whole, row.words or size, row.count, (doubt,))
     if row.words in (None, size):
         return Shape(name, size, row.count)
     doubt = f"The list says {type_text or name}, and {row.words} words."

@@ -48,6 +48,8 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     for index, row in enumerate(sheet.rows[:_SEARCHED]):
         if index >= _HEADED_BY and ((best and best.headed > 1) or max(map(address_rank, row.cells)) < _CLEAR):
             continue
+        if sheet.heads and sum(map(bool, row.cells)) == 1:
+            continue  # a line of a document, whose tables have headings
         is_comment = _is_comment(row) and not all(map(_is_comment, sheet.rows[:index]))
         if not _is_heading(row) or is_comment:
             continue
@@ -203,7 +205,7 @@ def headed_columns(sheet: Sheet) -> Columns | None:
 def _is_heading(row: SheetRow) -> bool:
     """Whether a row may be a heading: it has texts, and none of them is an address with digits."""
     filled = [cell for cell in row.cells if cell]
-    numbers = sum(cell[:1].isdigit() and address_text(cell) is not None for cell in filled)
+    numbers = sum(cell[:1].isdigit() and is_place(cell) for cell in filled)
     return bool(filled) and not numbers and max(map(len, filled)) <= _LONGEST_HEADING
 
 
@@ -242,8 +244,8 @@ def _without_heading(sheet: Sheet, names: Mapping[str, str]) -> Columns:
     width = max(len(row.cells) for row in sheet.rows)
     heads = first.cells if _is_heading(first) else ()
     headings = headings_text(heads)
-    by_cells = guessed_columns([[]] * width, names, sheet.rows) if not (heads or names) else None
-    if by_cells is not None and "name" in by_cells.places:
+    by_cells = guessed_columns([[]] * width, names, sheet.rows) if not heads else None
+    if by_cells is not None and ("name" in by_cells.places or "address" in names):
         return by_cells
     places = {}
     for role, text in names.items():

@@ -16,6 +16,10 @@ _PART = re.compile(
     r"(?P<end>\s*(?:=|:|・|\.(?=\s?[^\W\d])|->|=>|→|\u2013|\u2014|\)|\s-(?=\s)|-(?=[a-z])|-(?=\s+[^\W_]))\s*|(?(bit)\s+(?=[^\W\d])|(?!)))",
     re.IGNORECASE,
 )
+_LINE_END = re.compile(r"<br\s*/?>|\n", re.IGNORECASE)
+_SIGNS = ("=", ":", "->", "→", "\u2013")
+"""What stands between a value and its meaning where lines before the first value say something else."""
+
 _ENDS = (",", ";", "/", "|", "\n")
 """What stands after the name of a bit that only a blank parts from its number: `b0 ready, b1 warn`."""
 
@@ -72,7 +76,7 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
     if text.startswith("{") and (of_json := _of_json(text)) is not None:
         return of_json
     text = text[1:-1] if text[:1] + text[-1:] in ("[]", "{}") else text
-    text = re.sub(r"<br\s*/?>", "; ", text, flags=re.IGNORECASE)
+    text = _of_lines(_LINE_END.split(text))
     parts = list(_PART.finditer(text))
     parts = [part for part in parts if part["end"].strip() == parts[0]["end"].strip()]
     if parts and _BEFORE.fullmatch(text[: parts[0].start()]):
@@ -118,6 +122,17 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
     ):
         return _sorted([(False, number, name, 0) for number, name in names])
     return None
+
+
+def _of_lines(lines: list[str]) -> str:
+    """The lines of a cell as one, from the first value on where several lines begin with one; lines between go on."""
+    starts = [bool((part := _PART.match(line.strip())) and part["end"].strip() in _SIGNS) for line in lines]
+    if sum(starts) < _FEW:
+        return "; ".join(lines)
+    text = ""
+    for line, is_start in zip(lines, starts, strict=True):
+        text += ("; " if text else "") + line.strip() if is_start else f" {line.strip()}" if text else ""
+    return text
 
 
 def _of_json(text: str) -> Meanings | None:

@@ -6,10 +6,13 @@ All of them are folded. A heading that begins with `*` is a part of one; a role 
 from __future__ import annotations
 
 import json
+import re
 import unicodedata
 from collections.abc import Mapping
 from functools import cache
 from importlib import resources
+
+_ACCENTS = re.compile("(?<=[a-z])[\u0300-\u036f]+")
 
 
 @cache
@@ -27,8 +30,9 @@ def meanings(table: str) -> Mapping[str, str]:
 
 @cache
 def folded(text: str) -> str:
-    """A text without case, width, blanks and punctuation, for comparisons."""
-    wide = unicodedata.normalize("NFKC", text).casefold()
+    """A text without case, width, blanks, punctuation, and accents of Latin letters, for comparisons."""
+    parts = unicodedata.normalize("NFD", unicodedata.normalize("NFKC", text).casefold())
+    wide = unicodedata.normalize("NFC", _ACCENTS.sub("", parts))
     return "".join(sign for sign in wide if sign.isalnum())
 
 
