@@ -262,32 +262,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             if at + sent > stop:
                 raise self._incomplete(len(data))
             if inner.decision is not None:
-<<<<<<< HEAD
-                if inner.decision.size(fields, 0) < 0 and 0 in data[at : at + sent]:
-=======
-                size = inner.decided_bytes(inner.decision, fields, lambda place: self._place(extents, place))
-                if is_last and size < left:
-                    raise CodecError("wrong_length", f"{self.name} has more than its {at + size} bytes", at + size)
-            elif inner.sent_plus is not None:
-                left, size = self._measured(inner, inner.sent_plus, fields, left, extents, data), None
-            else:
-                is_open = is_last and inner.more is None
-                size = None if is_open else inner.checked_size(fields, self._place(extents, inner.at))
-            if inner.parts is not None and inner.sent_plus is not None:
-                number_at = self._place(extents, inner.at)
-                sizes = inner.measured_elements(inner.parts, data[at : at + left], at, number_at)
-                numbers.append(len(sizes))
-            elif inner.parts is not None:
-                sizes = inner.elements(inner.parts, data[at : at + left], size, at)
-                if is_last and sum(sizes) < left:
-                    raise CodecError("wrong_length", f"{self.name} has more bytes", at + sum(sizes))
-                numbers.append(len(sizes))
-            else:
-                sent = self._checked(inner, left, at) if size is None else inner.sent_size(size)
-                if sent > left:
-                    raise self._incomplete(len(data))
-                if inner.decision is not None and inner.decision.has_text(fields) and 0 in data[at : at + sent]:
->>>>>>> lang
+                if inner.decision.has_text(fields) and 0 in data[at : at + sent]:
                     zero_at = at if zero_at is None else zero_at
                 numbers.append(1)
             elif inner.parts is not None:
