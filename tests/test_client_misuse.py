@@ -44,15 +44,15 @@ class ClosedPort(Silence):
 @pytest.mark.parametrize(
     ("call", "text"),
     [
-        (lambda client: client.read("lamp"), "'lamp' is no register: pass a constant of the device, not its name"),
+        (lambda client: client.read("lamp"), "'lamp' is not a register: pass a constant of the device, not its name"),
         (lambda client: client.read(CODEC.points), r"points has several registers: pass one of them, such as \[1\]"),
         (lambda client: client.read_in_unit(CODEC.OUTPUT), r"output has several registers: .*\[1\]"),
         (lambda client: client.write(CODEC.points, 1), "points has several registers"),
-        (lambda client: client.write_in_unit("lamp", 1), "'lamp' is no register"),
-        (lambda client: client.read_table(CODEC.LAMP), "lamp at 0x2000> is no table of records"),
-        (lambda client: client.read_group([CODEC.LAMP]), "is no group: pass one of the module of the client"),
-        (lambda client: client.read_parameter("stroke"), "'stroke' is no parameter: pass a constant"),
-        (lambda client: client.write_parameter_in_unit("stroke", 1), "'stroke' is no parameter"),
+        (lambda client: client.write_in_unit("lamp", 1), "'lamp' is not a register"),
+        (lambda client: client.read_table(CODEC.LAMP), "lamp at 0x2000> is not a table of records"),
+        (lambda client: client.read_group([CODEC.LAMP]), "is not a group: pass one of the module of the client"),
+        (lambda client: client.read_parameter("stroke"), "'stroke' is not a parameter: pass a constant"),
+        (lambda client: client.write_parameter_in_unit("stroke", 1), "'stroke' is not a parameter"),
     ],
 )
 def test_a_client_refuses_what_is_no_single_value_of_the_device(call: Callable[[Any], object], text: str) -> None:
@@ -88,5 +88,5 @@ def test_javascript_refuses_responses_without_words_and_several_registers() -> N
     assert output == [
         "missing_value: values is missing: pass the data of the response that reads lamp",
         "wrong_type: points has several registers: pass one of them, such as at(1)",
-        "wrong_type: lamp is no register",
+        "wrong_type: lamp is not a register",
     ]

@@ -133,10 +133,10 @@ export function bytesOf(words, order, unitSize = 2) {
   return bytes;
 }
 
-/** Throws CodecError for several registers, and for what is no register. */
+/** Throws CodecError for several registers, and for other objects. */
 function refuseOthers(entry) {
   if (typeof entry?.decode === "function") return;
-  const text = entry?.first === undefined ? `${String(entry)} is no register` : `${entry.name} has several registers: pass one of them, such as at(${entry.first})`;
+  const text = entry?.first === undefined ? `${String(entry)} is not a register` : `${entry.name} has several registers: pass one of them, such as at(${entry.first})`;
   throw new CodecError("wrong_type", text);
 }
 

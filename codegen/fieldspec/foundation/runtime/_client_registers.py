@@ -120,7 +120,7 @@ class RegisterWork:
         """The records of a table that the device has. Their number and their address are read first where registers
         have them."""
         if not isinstance(table, Table):
-            raise InvalidValueError(f"{table!r} is no table of records: read it with `read`")
+            raise InvalidValueError(f"{table!r} is not a table of records: read it with `read`")
         if table.base_by is not None:
             table = _decoded(table.at_base, (yield from self.read(table.base_by)))
         count = table.count if table.count_by is None else (yield from self.read(table.count_by))
@@ -159,7 +159,7 @@ class RegisterWork:
     def read_group(self, group: Group) -> Work[Values]:
         """The registers of a group. A block that the device refuses is divided, so that a refusal costs no other."""
         if not isinstance(group, Group):
-            raise InvalidValueError(f"{group!r} is no group: pass one of the module of the client")
+            raise InvalidValueError(f"{group!r} is not a group: pass one of the module of the client")
         values = Values()
         for block in group.blocks():
             yield from self._read_block(block, values)
@@ -187,13 +187,13 @@ class RegisterWork:
 
 
 def _single(register: Register[T]) -> Register[T]:
-    """The same register. Raises InvalidValueError for several registers, and for what is none."""
+    """The same register. Raises InvalidValueError for several registers, and for other objects."""
     if isinstance(register, Register):
         return register
     if isinstance(register, Table | RegisterArray):
         number = register.first
         raise InvalidValueError(f"{register.name} has several registers: pass one of them, such as [{number}]")
-    raise InvalidValueError(f"{register!r} is no register: pass a constant of the device, not its name")
+    raise InvalidValueError(f"{register!r} is not a register: pass a constant of the device, not its name")
 
 
 def _whole(block: list[Register[Any]]) -> Register[Any]:
@@ -295,7 +295,7 @@ class ParameterWork:
 
     def _access(self, parameter: Parameter[Any]) -> ParameterAccess:
         if not isinstance(parameter, Parameter):
-            raise InvalidValueError(f"{parameter!r} is no parameter: pass a constant of the device, not its name")
+            raise InvalidValueError(f"{parameter!r} is not a parameter: pass a constant of the device, not its name")
         access = self.accesses.get(parameter.set)
         if access is None:
             raise InvalidValueError(f"no message reads or writes single parameters of {parameter.set}")

@@ -67,7 +67,7 @@ class JointAccess:
         return self._owner(item).value(item)
 
     def named(self, name: str) -> list[Item]:
-        """What a name means among registers and signals."""
+        """The registers and signals with a name."""
         return [*self._registers.named(name), *self._free(self._parameters.named(name))]
 
     def harmless(self) -> list[Item]:
