@@ -11,7 +11,7 @@ import serial
 
 from fieldspec.testing import SimulatedDevice, simulation
 from fieldspec_devices import DeviceError, errors, esc11, hiwin_e, tc100, transports
-from fieldspec_devices._client import _read_async
+from fieldspec_devices._client_async import _read_async
 from fieldspec_devices.esc11 import client as esc11_client
 from fieldspec_devices.hiwin_e import client as hiwin_client
 from fieldspec_devices.tc100 import client as tc100_client

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from ._client import carry_out_async
+from ._client import READ, SLEEP, WRITE, drop_input
 from ._typing import TYPE_CHECKING, T
+from .errors import TransportError
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable
@@ -122,3 +123,71 @@ class AsyncMotion:
 
     async def __aexit__(self, *error: object) -> None:
         await self._run(self._jog.end())
+
+
+async def carry_out_async(work: Work[T], transport: AsyncTransport) -> T:
+    """Carries out a generator on a transport for asyncio. Raises what the generator raises."""
+    from asyncio import sleep as pause
+
+    try:
+        action, content = next(work)
+    except StopIteration as end:
+        done: T = end.value
+        return done
+    while True:
+        result: Any = None
+        try:
+            if action == READ:
+                result = await _read_async(transport, *content)
+            elif action == WRITE:
+                await _write_async(transport, content)
+            elif action == SLEEP:
+                await pause(content)
+            else:
+                drop_input(transport)
+        except BaseException as error:
+            failure: BaseException | None = error
+        else:
+            failure = None
+        try:
+            action, content = work.send(result) if failure is None else work.throw(failure)
+        except StopIteration as end:
+            value: T = end.value
+            return value
+
+
+async def _read_async(transport: AsyncTransport, size: int, seconds: float) -> bytes:
+    from asyncio import CancelledError, ensure_future, wait
+    from asyncio import TimeoutError as AsyncTimeoutError
+
+    # Before Python 3.12, wait_for forgets that it is cancelled where bytes come at that moment: a move would go on.
+    reading = ensure_future(transport.read(size))
+    try:
+        await wait({reading}, timeout=seconds)
+    except CancelledError:
+        reading.cancel()
+        await wait({reading})
+        if not reading.cancelled():
+            reading.exception()
+        raise
+    reading.cancel()
+    await wait({reading})
+    if reading.cancelled():
+        return b""
+    try:
+        return reading.result()
+    except (TimeoutError, AsyncTimeoutError):
+        return b""
+    except ConnectionRefusedError as error:
+        if not getattr(transport, "datagrams", False):
+            raise TransportError(str(error)) from error
+        return b""  # nobody has listened to what was sent before
+    except (OSError, EOFError) as error:
+        raise TransportError(str(error)) from error
+
+
+async def _write_async(transport: AsyncTransport, data: bytes) -> None:
+    try:
+        await transport.write(data)
+    except (OSError, EOFError) as error:
+        raise TransportError(str(error)) from error

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ._error import CodecError
-from ._registers import Register, Table
+from ._parameters import Parameter
+from ._registers import Register, RegisterArray, Table
 from ._typing import TYPE_CHECKING, T
 from ._values import Bytes
 from .errors import InvalidAnswerError, InvalidValueError, RefusedError
@@ -13,7 +14,6 @@ if TYPE_CHECKING:
     from typing import Any
 
     from ._client import Session, Work
-    from ._parameters import Parameter
     from ._segments import Segments
     from ._typing import Quantity
 
@@ -103,7 +103,7 @@ class RegisterWork:
     def read(self, register: Register[T]) -> Work[T]:
         """The value of a register."""
         responses = []
-        for request in _encoded(self.codec.read_requests, register, **self.options):
+        for request in _encoded(self.codec.read_requests, _single(register), **self.options):
             response = yield from self.session.ask(request)
             responses.append(response.message)
         value: T = _decoded(self.codec.read_value, register, *responses, **self.options)
@@ -111,13 +111,16 @@ class RegisterWork:
 
     def read_in_unit(self, register: Register[Any]) -> Work[float | None]:
         """The value of a register in its unit, by the exponent that the device has for it."""
-        exponent = None if register.scale_by is None else (yield from self.read(register.scale_by))
+        scale_by = _single(register).scale_by
+        exponent = None if scale_by is None else (yield from self.read(scale_by))
         quantity: float | None = _decoded(register.in_unit, (yield from self.read(register)), exponent)
         return quantity
 
     def read_table(self, table: Table[T]) -> Work[list[T]]:
         """The records of a table that the device has. Their number and their address are read first where registers
         have them."""
+        if not isinstance(table, Table):
+            raise InvalidValueError(f"{table!r} is not a table of records: read it with `read`")
         if table.base_by is not None:
             table = _decoded(table.at_base, (yield from self.read(table.base_by)))
         count = table.count if table.count_by is None else (yield from self.read(table.count_by))
@@ -129,13 +132,14 @@ class RegisterWork:
 
     def write(self, register: Register[T], value: T) -> Work[None]:
         """Writes a register; the value is encoded at once."""
-        write_requests = _function(self.codec, "write_requests", register.name)
+        write_requests = _function(self.codec, "write_requests", _single(register).name)
         return self._sent(_encoded(write_requests, register, value, **self.options))
 
     def write_in_unit(self, register: Register[Any], quantity: Quantity | None) -> Work[None]:
         """Writes a register by a value in its unit; it is encoded at once, or by the exponent that the device has."""
-        if register.scale_by is not None:
-            return self._write_by_exponent(register, register.scale_by, quantity)
+        scale_by = _single(register).scale_by
+        if scale_by is not None:
+            return self._write_by_exponent(register, scale_by, quantity)
         return self.write(register, _encoded(register.from_unit, quantity))
 
     def _write_by_exponent(
@@ -154,6 +158,8 @@ class RegisterWork:
 
     def read_group(self, group: Group) -> Work[Values]:
         """The registers of a group. A block that the device refuses is divided, so that a refusal costs no other."""
+        if not isinstance(group, Group):
+            raise InvalidValueError(f"{group!r} is not a group: pass one of the module of the client")
         values = Values()
         for block in group.blocks():
             yield from self._read_block(block, values)
@@ -178,6 +184,16 @@ class RegisterWork:
             size = single.unit_size
             at = size * (single.address - register.address)
             values.add(single, _decoded(single.decode, content[at : at + size * single.words]))
+
+
+def _single(register: Register[T]) -> Register[T]:
+    """The same register. Raises InvalidValueError for several registers, and for other objects."""
+    if isinstance(register, Register):
+        return register
+    if isinstance(register, Table | RegisterArray):
+        number = register.first
+        raise InvalidValueError(f"{register.name} has several registers: pass one of them, such as [{number}]")
+    raise InvalidValueError(f"{register!r} is not a register: pass a constant of the device, not its name")
 
 
 def _whole(block: list[Register[Any]]) -> Register[Any]:
@@ -255,10 +271,12 @@ class ParameterWork:
 
     def read_in_unit(self, parameter: Parameter[Any], subindex: int = 0) -> Work[float | None]:
         """The value of a parameter, or of one element, in its unit."""
-        return parameter.in_unit((yield from self.read(parameter, subindex)), subindex)
+        value = yield from self.read(parameter, subindex)
+        return parameter.in_unit(value, subindex)
 
     def write_in_unit(self, parameter: Parameter[Any], quantity: Quantity | None, subindex: int = 0) -> Work[None]:
         """Writes a parameter, or one element, by a value in its unit; it is encoded at once."""
+        self._access(parameter)
         return self.write(parameter, _encoded(parameter.from_unit, quantity, subindex), subindex)
 
     def write(self, parameter: Parameter[T], value: T, subindex: int = 0) -> Work[None]:
@@ -276,6 +294,8 @@ class ParameterWork:
         yield from self.session.ask(request, 0)
 
     def _access(self, parameter: Parameter[Any]) -> ParameterAccess:
+        if not isinstance(parameter, Parameter):
+            raise InvalidValueError(f"{parameter!r} is not a parameter: pass a constant of the device, not its name")
         access = self.accesses.get(parameter.set)
         if access is None:
             raise InvalidValueError(f"no message reads or writes single parameters of {parameter.set}")

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from ._client import carry_out
+from time import monotonic, sleep
+
+from ._client import READ, SLEEP, WRITE, drop_input
 from ._typing import TYPE_CHECKING, T
+from .errors import TransportError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -122,3 +125,47 @@ class Motion:
 
     def __exit__(self, *error: object) -> None:
         self._run(self._jog.end())
+
+
+def carry_out(work: Work[T], transport: Transport) -> T:
+    """Carries out a generator on a transport that blocks. Raises what the generator raises."""
+    result: Any = None
+    failure: BaseException | None = None
+    while True:
+        try:
+            action, content = work.send(result) if failure is None else work.throw(failure)
+        except StopIteration as end:
+            done: T = end.value
+            return done
+        result = failure = None
+        try:
+            if action == READ:
+                result = _read(transport, content[0])
+            elif action == WRITE:
+                _write(transport, content)
+            elif action == SLEEP:
+                sleep(content)
+            else:
+                drop_input(transport)
+        except BaseException as error:
+            failure = error
+
+
+def _read(transport: Transport, size: int) -> bytes:
+    begin = monotonic()
+    try:
+        data = transport.read(size)
+    except TimeoutError:
+        data = b""
+    except (OSError, EOFError) as error:
+        raise TransportError(str(error)) from error
+    if not data and monotonic() - begin < 0.0005:
+        sleep(0.001)  # the transport does not wait by itself
+    return data or b""
+
+
+def _write(transport: Transport, data: bytes) -> None:
+    try:
+        transport.write(data)
+    except (OSError, EOFError) as error:
+        raise TransportError(str(error)) from error

@@ -149,14 +149,14 @@ def _of_record(
     bounds = [(field, pair) for field in record.fields if (pair := sizes.field(field)) is not None]
     if len(bounds) < len(record.fields):
         return
-    least = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
-    least += sum(low for _, (low, _) in bounds)
-    if least > CAN_DATA:
+    minimum = sum(part_size(part) for part in link.parts(direction) if part.bits is None)
+    minimum += sum(low for _, (low, _) in bounds)
+    if minimum > CAN_DATA:
         place, key, help = owner
-        yield finding(_CODE, place, key, f"{subject} has {least} bytes, and a CAN frame {CAN_DATA}", help)
+        yield finding(_CODE, place, key, f"{subject} has {minimum} bytes, and a CAN frame {CAN_DATA}", help)
         return
     for field, (low, high) in bounds:
-        size = least + high - low
+        size = minimum + high - low
         if size > CAN_DATA:
             text = f"with {field.name} at its longest, {subject} has {size} bytes, and a CAN frame {CAN_DATA}"
             help = f"lower the limit of {field.name}, or {owner[2]}"

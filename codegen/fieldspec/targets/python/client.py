@@ -207,7 +207,7 @@ def _session(links: Sequence[ClientLinkView], addressed: bool) -> list[str]:
     if len(links) > 1:
         lines.append(f"known = {{{', '.join(f'{link.title}: {link.name}' for link in links)}}}")
     arguments = [
-        "known[link]" if len(links) > 1 else links[0].name,
+        "_link_named(known, link)" if len(links) > 1 else links[0].name,
         "unit_address" if addressed else "0",
         'getattr(transport, "datagrams", False)',
         *(f"{name}={name}" for name in ("timeout", "pause", "retries", "settle", "begin")),

@@ -90,7 +90,7 @@ _SHARED = {
     "_widths": "Widths",
 }
 _CLIENT = {
-    "_client": "Link Session",
+    "_client": "Link Session link_named",
     "_client_async": "AsyncBaseClient AsyncMotion AsyncParameterClient AsyncRegisterClient",
     "_client_cyclic": "CyclicWork",
     "_client_registers": "Group ParameterAccess ParameterWork RegisterWork",

@@ -44,7 +44,7 @@ class Access(Protocol):
     what: str
     """The noun in the message about an unknown name."""
     rows_text: str
-    """What a dump has a row for."""
+    """The values with rows in a dump, as a plural."""
 
     def heading(self, value: Any) -> str:
         """The heading of the number of a value: `address` or `number`."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from .._client import Link as _Link
 from .._client import Session as _Session
+from .._client import link_named as _link_named
 from .._client_async import AsyncMotion as _AsyncMotion
 from .._client_async import AsyncRegisterClient as _AsyncRegisterClient
 from .._client_registers import Group as _Group
@@ -427,7 +428,7 @@ class Client(_RegisterClient):
     ) -> None:
         known = {"rtu": _RTU, "ascii": _ASCII}
         session = _Session(
-            known[link],
+            _link_named(known, link),
             unit_address,
             getattr(transport, "datagrams", False),
             timeout=timeout,
@@ -695,7 +696,7 @@ class AsyncClient(_AsyncRegisterClient):
     ) -> None:
         known = {"rtu": _RTU, "ascii": _ASCII}
         session = _Session(
-            known[link],
+            _link_named(known, link),
             unit_address,
             getattr(transport, "datagrams", False),
             timeout=timeout,

@@ -133,8 +133,16 @@ export function bytesOf(words, order, unitSize = 2) {
   return bytes;
 }
 
+/** Throws CodecError for several registers, and for other objects. */
+function refuseOthers(entry) {
+  if (typeof entry?.decode === "function") return;
+  const text = entry?.first === undefined ? `${String(entry)} is not a register` : `${entry.name} has several registers: pass one of them, such as at(${entry.first})`;
+  throw new CodecError("wrong_type", text);
+}
+
 /** Throws CodecError for a register that can only be read, or only be written. */
 export function allowed(entry, operation) {
+  refuseOthers(entry);
   if (operation === "write" && entry.access === "ro") throw new CodecError("read_only", `${entry.name} can only be read`);
   if (operation === "read" && entry.access === "wo") throw new CodecError("write_only", `${entry.name} can only be written`);
 }
@@ -198,6 +206,12 @@ export function writeRequestsOf(accesses, entry, value, order) {
 
 /** The value of a register from the data of responses. Throws CodecError. */
 export function valueOf(accesses, entry, responses, order) {
+  refuseOthers(entry);
   const access = accessOf(accesses, entry, "read", 0);
-  return entry.decode(bytesOf(responses.flatMap((response) => wordsIn(access, entry, response[access.values])), order, entry.unitSize));
+  const words = responses.flatMap((response) => {
+    const carried = response?.[access.values];
+    if (carried === undefined) throw new CodecError("missing_value", `${access.values} is missing: pass the data of the response that reads ${entry.name}`);
+    return wordsIn(access, entry, carried);
+  });
+  return entry.decode(bytesOf(words, order, entry.unitSize));
 }
