@@ -1,4 +1,4 @@
-"""Lists that some bits of a field count: frames of three standards, as others have published and read them."""
+"""Lists and texts that some bits of a field count: frames of four standards, as others have published and read them."""
 
 from __future__ import annotations
 
@@ -7,9 +7,12 @@ from typing import Any
 import isotp
 import pytest
 
+from captures.bulk import Sent, decoded, verdicts
+from fieldspec.codec.explain.explanation import explained
 from fieldspec.codec.reference import CodecError, codec
+from fieldspec.tools.captures.decoding import Choices
 from layouts import TEST_SPECS, newest
-from python_package import link_of, module_of
+from python_package import codec_error, link_of, module_of
 
 TRACKER = newest(TEST_SPECS, "tracker")
 REFERENCE = codec(TRACKER).links
@@ -39,17 +42,83 @@ def elements_of(values: Any) -> list[int]:
 def test_published_frames_have_the_elements_that_their_bits_count(data: str) -> None:
     link, direction, elements = PUBLISHED[data]
     frame = bytes.fromhex(data)
-    decoded = REFERENCE[link].decode(frame, direction)
-    assert elements_of(decoded.values) == elements
-    assert REFERENCE[link].encode(direction, decoded.message.name, {**decoded.values, **HEADS.get(link, {})}) == frame
+    read = REFERENCE[link].decode(frame, direction)
+    assert elements_of(read.values) == elements
+    assert REFERENCE[link].encode(direction, read.message.name, {**read.values, **HEADS.get(link, {})}) == frame
 
 
 @pytest.mark.parametrize("data", PUBLISHED)
 def test_python_reads_and_writes_the_same_bytes(data: str) -> None:
     link, direction, _ = PUBLISHED[data]
     own, frame = link_of(MODULE, link), bytes.fromhex(data)
-    decoded = getattr(own, f"decode_{direction}")(frame)
-    assert getattr(own, f"encode_{direction}")(decoded.message, **HEADS.get(link, {})) == frame
+    read = getattr(own, f"decode_{direction}")(frame)
+    assert getattr(own, f"encode_{direction}")(read.message, **HEADS.get(link, {})) == frame
+
+
+@pytest.mark.parametrize(
+    ("data", "text"),
+    # RFC 8949, appendix A
+    [
+        ("60", ""),
+        ("61 61", "a"),
+        ("64 49 45 54 46", "IETF"),
+        ("62 22 5C", '"\\'),
+        ("62 C3 BC", "\u00fc"),
+        ("63 E6 B0 B4", "\u6c34"),
+        ("64 F0 90 85 91", "\U00010151"),
+    ],
+)
+def test_published_texts_have_the_bytes_that_their_bits_count(data: str, text: str) -> None:
+    frame = bytes.fromhex(data)
+    values = {"head": frame[0], "text": text}
+    assert REFERENCE["store"].decode(frame, "request", "label").values == values
+    assert REFERENCE["store"].encode("request", "label", values) == frame
+    message: Any = link_of(MODULE, "store").decode_request(frame, "label").message
+    assert message.text == text
+    assert link_of(MODULE, "store").encode_request(message) == frame
+    assert explained(TRACKER, "store", "request", frame, message="label").reasons == ()
+    assert verdicts(decoded(TRACKER, [Sent(0, "request", frame)], Choices("store", "label"))) == ["ok"]
+
+
+def test_texts_in_a_list_have_the_bytes_that_their_bits_count() -> None:
+    frame = bytes.fromhex("7F 65 73 74 72 65 61 64 6D 69 6E 67 FF")
+    values = {"items": [{"head": 0x65, "text": "strea"}, {"head": 0x64, "text": "ming"}]}
+    read = REFERENCE["store"].decode(frame, "request", "streamed_labels")
+    assert read.values["items"] == values["items"]
+    assert REFERENCE["store"].encode("request", "streamed_labels", values) == frame
+    message = link_of(MODULE, "store").decode_request(frame, "streamed_labels").message
+    assert link_of(MODULE, "store").encode_request(message) == frame
+
+
+@pytest.mark.parametrize(
+    ("data", "reason", "place"),
+    [
+        ("78", "wrong_measure", 0),
+        ("62 61", "incomplete", 2),
+        ("61 61 61", "wrong_length", 2),
+        ("63 61 00 61", "unknown_value", 1),
+        ("61 C3", "unknown_value", 1),
+    ],
+)
+def test_wrong_bits_and_texts_are_refused_alike(data: str, reason: str, place: int) -> None:
+    frame = bytes.fromhex(data)
+    with pytest.raises(CodecError) as expected:
+        REFERENCE["store"].decode(frame, "request", "label")
+    with pytest.raises(codec_error()) as refused:
+        link_of(MODULE, "store").decode_request(frame, "label")
+    for error in (expected.value, refused.value):
+        assert (error.reason, error.offset) == (reason, place)
+    assert reason in explained(TRACKER, "store", "request", frame, message="label").reasons
+    assert verdicts(decoded(TRACKER, [Sent(0, "request", frame)], Choices("store", "label"))) == [reason]
+
+
+def test_texts_of_other_lengths_than_the_bits_say_are_not_written() -> None:
+    message: Any = link_of(MODULE, "store").decode_request(b"\x61a", "label").message
+    message.text = "ab"
+    with pytest.raises(codec_error(), match="wrong_measure"):
+        link_of(MODULE, "store").encode_request(message)
+    with pytest.raises(CodecError, match="wrong_measure"):
+        REFERENCE["store"].encode("request", "label", {"head": 0x61, "text": "ab"})
 
 
 @pytest.mark.parametrize("length", range(1, 8))

@@ -48,21 +48,37 @@ def continued_list(draft: Draft, presence: Spec | None) -> Spec:
 
 
 def list_counter(draft: Draft, repeated: Spec, measure: Spec, kinds: tuple[str, ...]) -> Spec:
-    """A field that counts a list: as a whole, or now and then in some of its bits."""
+    """A field that counts a list, or a text of varying length: as a whole, or now and then in some of its bits."""
     kind = draft.pick(kinds)
     if draft.digits(10):
         return draft.fact(**draft.pick(COUNT_DIGITS)[0], measures=measure)
     if not draft.chance(30):
         return draft.fact(type=kind, measures=measure)
-    size = size_of(repeated) if "bytes" in measure and "record" not in repeated else 1
+    has_bytes = "bytes" in measure and "record" not in repeated
+    size = size_of(repeated) if has_bytes and "varies" not in repeated else 1
     plus = {key: own for key, own in measure.items() if key == "plus"}
-    most = int(repeated["repeat"].rpartition(".")[2]) * size + plus.get("plus", 0)
+    elements = repeated["length"] if "varies" in repeated else int(repeated["repeat"].rpartition(".")[2]) * size
+    most = elements + plus.get("plus", 0)
     width = most.bit_length() + draft.number(0, 1)
     kinds = ("u8", "u16", "u24", *["u32"] * draft.chance(20))
     kind = draft.pick([own for own in kinds if 8 * size_of({"type": own}) >= width])
     low = draft.number(0, 8 * size_of({"type": kind}) - width)
-    unit = "items" if size == 1 else "bytes"  # the bytes of a record are not known here
+    # The bytes of a record are not known here.
+    unit = "items" if size == 1 and "varies" not in repeated else "bytes"
     return draft.fact(type=kind, measures={unit: repeated["name"], **plus, "bits": f"{low}..{low + width - 1}"})
+
+
+def text_counter(draft: Draft, text: Spec) -> Spec:
+    """The field with the number of bytes of a text."""
+    plus = {"plus": draft.number(1, 9)} if draft.chance(25) else {}
+    count = list_counter(draft, text, {"bytes": text["name"], **plus}, ("u8", "u16"))
+    if "bits" in count["measures"]:
+        return count
+    if count["type"] == "u16" and draft.chance(25):
+        count["byte_order"] = draft.pick(("big", "little"))
+    if draft.chance(15):
+        count["range"] = f"{plus.get('plus', 0)}..{text['length'] + plus.get('plus', 0)}"
+    return count
 
 
 def optional_field(draft: Draft, presence: Spec) -> Spec:

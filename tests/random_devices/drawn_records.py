@@ -4,8 +4,23 @@ from __future__ import annotations
 
 from random_devices.draft import BOUNDS, Draft, RecordDraft, Spec
 from random_devices.drawn_choices import choice_counter, closed_enums, deciding_fields
-from random_devices.drawn_presences import continued_list, list_counter, more_ways, optional_field, presence_decider
-from random_devices.drawn_values import COUNT_DIGITS, packed_list, size_of, value, varying_text, varying_value
+from random_devices.drawn_presences import (
+    continued_list,
+    list_counter,
+    more_ways,
+    optional_field,
+    presence_decider,
+    text_counter,
+)
+from random_devices.drawn_values import (
+    COUNT_DIGITS,
+    packed_list,
+    short_field,
+    size_of,
+    value,
+    varying_text,
+    varying_value,
+)
 
 
 def records(draft: Draft) -> list[Spec]:
@@ -25,10 +40,11 @@ def _differing_record(draft: Draft) -> Spec:
     fields = [draft.bounded(fixed_field(draft)[0], 8) for _ in range(draft.number(0, 2))]
     if draft.chance(40):
         for _ in range(draft.number(1, 2)):
-            text = draft.fact(**varying_text(draft))
-            fields = [*_inserted(draft, fields, _count_of(draft, text)), text, *_behind(draft)]
+            fields = _text_between(draft, fields)
     else:
         for _ in range(draft.number(1, 2)):
+            if draft.chance(20):
+                fields = _text_between(draft, fields)
             if closed_enums(draft) and draft.chance(50):
                 fields = _choice_between(draft, fields)
                 continue
@@ -54,6 +70,12 @@ def _differing_record(draft: Draft) -> Spec:
     draw_separator(draft, record, fields)
     draft.differing.append(record["name"])
     return record
+
+
+def _text_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
+    """Fields with a counted text behind them, and some behind that."""
+    text = draft.fact(**varying_text(draft))
+    return [*_inserted(draft, fields, text_counter(draft, text)), text, *_behind(draft)]
 
 
 def _element_record(draft: Draft) -> Spec:
@@ -180,10 +202,12 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
         )
     )
     if form in ("empty", "short"):
-        return [_short_field(draft) for _ in range(draft.number(1, 3) if form == "short" else 0)]
+        return [short_field(draft) for _ in range(draft.number(1, 3) if form == "short" else 0)]
     if form in ("line", "texts"):
         return _line(draft) if form == "line" else _texts_with_sizes(draft)
     fields = [draft.bounded(fixed_field(draft)[0], 8) for _ in range(draft.number(0 if form != "fixed" else 1, 4))]
+    if form not in ("fixed", "counted", "repeat") and draft.chance(15):
+        fields = _text_between(draft, fields)
     if form in ("fixed", "repeat") and draft.chance(20):
         add_exponent(draft, fields, draft.pick(("i8", "i16")))
     if form == "repeat":
@@ -209,14 +233,6 @@ def body(draft: Draft, place: str = "field") -> list[Spec]:
     return fields
 
 
-def _short_field(draft: Draft) -> Spec:
-    """A number or a constant of one or two bytes, for which outputs have code of their own."""
-    keys: Spec = {"type": draft.pick(("u8", "u16"))}
-    if draft.chance(25):
-        keys["const"] = draft.number(0, 255)
-    return draft.fact(**keys)
-
-
 def _line(draft: Draft) -> list[Spec]:
     """Values that vary in width with what separates them, between other fields."""
     fields: list[Spec] = []
@@ -239,7 +255,7 @@ def _texts_with_sizes(draft: Draft) -> list[Spec]:
     rest: list[Spec] = []
     for _ in range(draft.number(1, 3)):
         text = draft.fact(**varying_text(draft))
-        count = _count_of(draft, text)
+        count = text_counter(draft, text)
         (counts if draft.chance(25) else rest).append(count)
         rest += [fixed_field(draft)[0] for _ in range(draft.number(0, 1))] if draft.chance(30) else []
         rest.append(text)
@@ -247,17 +263,6 @@ def _texts_with_sizes(draft: Draft) -> list[Spec]:
     if draft.chance(20):
         rest.append(draft.fact(**varying_value(draft)))
     return [*counts, *rest]
-
-
-def _count_of(draft: Draft, text: Spec) -> Spec:
-    """The field with the number of bytes of a text."""
-    plus = {"plus": draft.number(1, 9)} if draft.chance(25) else {}
-    count = draft.fact(type=draft.pick(("u8", "u16")), measures={"bytes": text["name"], **plus})
-    if count["type"] == "u16" and draft.chance(25):
-        count["byte_order"] = draft.pick(("big", "little"))
-    if draft.chance(15):
-        count["range"] = f"{plus.get('plus', 0)}..{text['length'] + plus.get('plus', 0)}"
-    return count
 
 
 def _limits(draft: Draft) -> str:

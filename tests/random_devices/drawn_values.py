@@ -228,6 +228,14 @@ def _digits(draft: Draft, place: str) -> Spec:
     return keys
 
 
+def short_field(draft: Draft) -> Spec:
+    """A number or a constant of one or two bytes, for which outputs have code of their own."""
+    keys: Spec = {"type": draft.pick(("u8", "u16"))}
+    if draft.chance(25):
+        keys["const"] = draft.number(0, 255)
+    return draft.fact(**keys)
+
+
 def varying_text(draft: Draft) -> Spec:
     """A text of as many bytes as it needs."""
     encoding = {"encoding": draft.pick(("ascii", "latin_1", "utf_8"))} if draft.chance(60) else {}

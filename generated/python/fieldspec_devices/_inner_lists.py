@@ -25,8 +25,8 @@ class InnerList:
     the size of an element where elements differ in size, and a `decision` that of the only element; these have `size`
     bytes in the image. With a `packing`, numbers are sent in fewer bits. With a `presence`, a mask and numbers, the
     only element is sent if these bits of the number are one of the numbers; without numbers, these bits are the count.
-    With a `sent_plus`, what is sent is the number of the sent bytes and this number more. With `more`, elements say
-    which of them is the last, and the count is one.
+    With a `sent_plus`, what is sent is the number of the sent bytes and this number more; the bits of a `presence` are
+    the same in the image. With `more`, elements say which of them is the last, and the count is one.
     """
 
     __slots__ = (
@@ -73,6 +73,8 @@ class InnerList:
 
     def count_size(self, data: bytes) -> int:
         """The bytes of the list in the image, as its count in some data says."""
+        if self.decision is not None:
+            return self.size
         if not self.length:
             return self.sizes[-1] if self.more is None else self.size
         number = int.from_bytes(data[self.at : self.at + self.length], self.order)
@@ -99,9 +101,15 @@ class InnerList:
             raise CodecError("wrong_measure", f"a list has {size} bytes, not {limits}", at)
         return size
 
+    def sent_number(self, data: bytes, plus: int) -> int:
+        """The sent bytes that a number in some data counts, or bits of it."""
+        number = int.from_bytes(data[self.at : self.at + self.length], self.order)
+        mask = -1 if self.presence is None else self.presence[0]
+        return (number & mask) // (mask & -mask) - plus
+
     def measured_bytes(self, data: bytes, plus: int, at: int) -> int:
-        """The sent bytes that a number in some data counts, refused at the number if it is not possible."""
-        size = int.from_bytes(data[self.at : self.at + self.length], self.order) - plus
+        """The same, refused at the number if it is not possible."""
+        size = self.sent_number(data, plus)
         if not 0 <= size <= self.sizes[-1]:
             raise CodecError("wrong_measure", f"a list has {size} bytes, not 0 to {self.sizes[-1]}", at)
         return size
@@ -114,13 +122,15 @@ class InnerList:
         size = decision.size(data, place(decision.at))
         if self.sent_plus is None:
             return size
-        number = int.from_bytes(data[self.at : self.at + self.length], self.order) - self.sent_plus
+        number = self.sent_number(data, self.sent_plus)
         if number != size and not 0 <= number <= -size:
             raise CodecError("wrong_measure", f"a value has {abs(size)} bytes, not {number}", place(self.at))
         return number
 
     def with_number(self, data: bytes, number: int) -> bytes:
-        """Some bytes with another number in the field that counts the list."""
+        """Some bytes with another number in the field that counts the list; bits that count it stay."""
+        if self.presence is not None:
+            return data
         if number >> 8 * self.length:
             raise CodecError("out_of_range", f"a field of {self.length} bytes cannot be {number}")
         return data[: self.at] + number.to_bytes(self.length, self.order) + data[self.at + self.length :]
@@ -302,7 +312,10 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             piece = image[start : start + size]
             pieces.append(inner.sent(piece) if inner.decision is None else inner.decision.sent(image, piece))
             if inner.sent_plus is not None:
-                fields = inner.with_number(fields, len(pieces[-1]) + inner.sent_plus)
+                sent = len(pieces[-1])
+                if inner.presence is not None and inner.sent_number(fields, inner.sent_plus) != sent:
+                    raise CodecError("wrong_measure", f"bits of {self.name} do not count the {sent} bytes of a text")
+                fields = inner.with_number(fields, sent + inner.sent_plus)
             start += size
         for inner, piece in zip(self.lists, pieces, strict=True):
             data += fields[at : inner.first] + piece

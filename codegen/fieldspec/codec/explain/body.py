@@ -11,7 +11,8 @@ from fieldspec.codec.explain.percentages import with_percentages
 from fieldspec.codec.explain.row import ExplanationRow, Spot, fact_row, surplus_row, wrong_row
 from fieldspec.codec.explain.values import ACCEPTED, DecodedValue, decoded_row, exponent_applied, repeated_value
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.codec.layout.inner_lists import InnerList, ListExtent
+from fieldspec.codec.layout.inner_lists import InnerList
+from fieldspec.codec.layout.list_extents import ListExtent
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.values import Raw
 from fieldspec.codec.layout.widths import extents
@@ -290,7 +291,11 @@ class Body:
         return max(0, min(self._count(field), (self.end - self.start - field.offset) // field.size))
 
     def _deciding(self, field: FieldLayout, read: DecodedValue) -> DecodedValue:
-        """The value of a field whose bits say how many elements others have, judged by how many they have."""
+        """The value of a field whose bits say how many elements others have, or bytes of a text, judged by these."""
+        if self.record.inner_lists is not None and self.fault is not None:
+            inner = self.record.inner_lists.lists[len(self.extents)]
+            if inner.presence is not None and inner.sent_plus is not None:
+                read = self._wrong_count(inner, field, read)
         for other in self.record.fields:
             presence, number = other.presence, read.number
             if presence is None or presence.by != field.name:

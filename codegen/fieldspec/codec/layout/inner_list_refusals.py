@@ -49,8 +49,8 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
         return _ENDING
     if field.presence is not None:
         return _IN_BITS if field.has_count_in_bits else _OPTIONAL
-    if body.inner_lists is None or not field.varies:
-        return ""
+    if body.inner_lists is None or not field.varies or field.in_room:
+        return ""  # a text that varies in length is refused itself, and with it what has it
     if field.value is not None and field.value.packed_bits:
         return f"has numbers of {field.value.packed_bits} bits"
     if field is not body.sent_fields[-1]:
@@ -63,5 +63,5 @@ def _problem(body: RecordLayout, field: FieldLayout) -> str:
         or record.size is not None
         or any(own.value is not None and own.value.width for own in record.fields)
     ):
-        return ""  # the text that varies in length is refused itself, and with it what has it
+        return ""
     return "has elements that differ in size" if field.is_list else "differs in size"

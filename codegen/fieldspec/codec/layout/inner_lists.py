@@ -14,8 +14,10 @@ from collections.abc import Sequence
 
 from fieldspec.codec.layout.continuation import Continuation
 from fieldspec.codec.layout.decision import Decision
+from fieldspec.codec.layout.list_extents import ListExtent, ListFault
 from fieldspec.codec.layout.packing import Packing
 from fieldspec.codec.layout.presence import PresenceLayout
+from fieldspec.codec.layout.widths import WidthError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 
 if TYPE_CHECKING:
@@ -33,6 +35,7 @@ class InnerList:
     where all have the same size. Elements with a `packing` are sent in fewer bits than they have in the image. With a
     `presence`, bits of the number say whether the only element is sent, or have the count. With a `sent_plus`, the
     number is that of elements only in the image: what is sent is the number of their sent bytes and this number more.
+    Bits with that number are the same in the image.
     With a `continuation`, each element says whether another one follows, wherever the list is, and a number whether
     there is a first one.
     """
@@ -58,7 +61,9 @@ class InnerList:
 
     def size_of(self, number: int) -> int | None:
         """The bytes in the image if the count is a number, None if it may not be that number."""
-        if self.presence is not None:
+        if self.decision is not None:
+            size = self.element
+        elif self.presence is not None:
             elements = self.presence.elements(number)
             size = -1 if elements is None else elements * self.element
         else:
@@ -83,13 +88,23 @@ class InnerList:
             return self.element
         return self.size_of(self.count_in(image)) if self.count else self.most
 
+    def sent_number_in(self, data: bytes) -> int:
+        """The sent bytes that a number counts which is sent in place of the one in the image, or some of its bits."""
+        number = self.count_in(data)
+        return (number if self.presence is None else self.presence.bits_in(number)) - (self.sent_plus or 0)
+
     def sent_bytes_in(self, data: bytes) -> int | None:
-        """The sent bytes that a number counts which is sent in place of the one in the image; None for a wrong one."""
-        size = self.count_in(data) - (self.sent_plus or 0)
+        """The same; None for a number that cannot be right."""
+        size = self.sent_number_in(data)
         return size if 0 <= size <= self.most else None
 
     def with_number(self, image: bytes, number: int) -> bytes:
-        """An image or data with another number in the field that counts the list. Raises OverflowError."""
+        """An image or data with another number in the field that counts the list, unless its bits do.
+
+        Raises OverflowError.
+        """
+        if self.presence is not None:
+            return image
         order: Literal["big", "little"] = "big" if self.count_order == "big" else "little"
         stop = self.count_at + self.count_size
         return image[: self.count_at] + number.to_bytes(self.count_size, order) + image[stop:]
@@ -107,26 +122,6 @@ class InnerList:
     def sent_size(self, size: int) -> int:
         """The bytes that are sent for `size` bytes of the image, of elements that do not differ in size."""
         return size if self.packing is None else self.packing.sent_size(size // self.element)
-
-
-@dataclass(frozen=True, slots=True)
-class ListExtent:
-    """The bytes of a list in some data, and of each of its elements; `elements` is empty where all have the same.
-
-    `numbers` is how many numbers are packed into the bytes.
-    """
-
-    size: int
-    elements: tuple[int, ...] = ()
-    numbers: int = 0
-
-
-@dataclass(frozen=True, slots=True)
-class ListFault:
-    """Why some data have no image: the reason, and the byte at which it shows."""
-
-    reason: str
-    at: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,7 +167,7 @@ class InnerLists:
             size = inner.decision.size_in(image)
             if size is None:
                 return ListFault("unknown_value", self.place_in_data(extents, inner.decision.offset))
-            number = size if inner.sent_plus is None else inner.count_in(image) - inner.sent_plus
+            number = size if inner.sent_plus is None else inner.sent_number_in(image)
             is_right = number == size or 0 <= number <= -size
             return ListExtent(number, (number,)) if is_right else self._wrong_number(inner, extents)
         is_open = is_last and inner.continuation is None
@@ -264,11 +259,16 @@ class InnerLists:
         return None
 
     def data_of(self, image: bytes) -> bytes:
-        """The bytes that are sent for an image. Raises OverflowError if a field cannot count them."""
+        """The bytes that are sent for an image.
+
+        Raises OverflowError if a field cannot count them, and WidthError if bits do not.
+        """
         fields, pieces = image, []
         for inner in self.lists:
             pieces.append(self._sent_bytes(inner, image))
             if inner.sent_plus is not None:
+                if inner.presence is not None and inner.sent_number_in(image) != len(pieces[-1]):
+                    raise WidthError("wrong_measure", inner.count, inner.count_at)
                 fields = inner.with_number(fields, len(pieces[-1]) + inner.sent_plus)
         data, offset = b"", 0
         for inner, piece in zip(self.lists, pieces, strict=True):

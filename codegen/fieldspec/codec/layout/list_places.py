@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fieldspec.codec.layout.decision import Decision
 from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
+from fieldspec.codec.layout.presence import bit_presence
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.record import list_count, text_count
@@ -25,14 +26,14 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
             places[field.name] = first
             first += field.size * (field.count or 0)
             continue
-        is_text = field.value is not None and field.value.width > 0
+        is_text = field.value is not None and field.value.width > 0 and not field.in_room
         element = 1 if is_text else field.size
         low, high = (0, field.size) if is_text else field.bounds
         inner = InnerList(field.name, first, room, element, low * element, high * element, packing=field.packing)
         inner = replace(inner, continuation=field.continuation)
-        count = (text_count if is_text else list_count)(record.record, field.field)
+        count = (text_count if is_text or field.in_room else list_count)(record.record, field.field)
         counts_sent = count is not None and by_name[count.name].counts_sent
-        if is_element or field is not last or field.continuation is not None or counts_sent:
+        if is_element or field is not last or field.continuation is not None or counts_sent or field.in_room:
             if field.presence is not None:
                 decider = by_name[field.presence.by]
                 inner = replace(_with_number_at(inner, decider, places[decider.name]), presence=field.presence)
@@ -40,6 +41,8 @@ def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists
                     inner = replace(inner, unit=element // field.presence.unit, plus=field.presence.plus)
             elif count is not None:
                 inner = _with_count(inner, by_name[count.name], places[count.name])
+        if field.in_room and field.value is not None:
+            inner = replace(inner, decision=Decision("", 0, 0, "big", {0: -field.value.width}))
         if field.record is not None and field.record.size is None:
             inner = replace(inner, parts=inner_lists_of(field.record, is_element=True))
         elif field.continuation is not None:
@@ -62,8 +65,9 @@ def _decision(field: FieldLayout, selector: FieldLayout, offset: int) -> Decisio
 def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
     """A list with the field that counts it, which is at an offset in the image."""
     stated, measure = count.field.measures, count.measure
-    assert stated is not None
-    assert measure is not None
+    if stated is None or measure is None:
+        bits = bit_presence(count.field, 1)
+        return replace(_with_number_at(inner, count, offset), presence=bits, sent_plus=bits.plus)
     inner = replace(_with_number_at(inner, count, offset), sent_plus=stated.plus if count.counts_sent else None)
     return replace(inner, unit=measure.unit(inner.element), plus=measure.plus)
 

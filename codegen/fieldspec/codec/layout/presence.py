@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.model.enums import Enum
-from fieldspec.language.model.record import Record, bit_count
+from fieldspec.language.model.record import Field, Record, bit_count
 from fieldspec.language.model.stated_bits import stated_bits
 
 if TYPE_CHECKING:
@@ -87,16 +87,24 @@ def presence_layout(record: Record, name: str, size: int, enums: Mapping[str, En
     """The bits that say whether a field of a record is sent, or how many elements of some bytes it has; None where no
     bits do.
     """
-    if (count := bit_count(record, name)) is not None and count[1].bits is not None:
-        measure, (low, high) = count[1], count[1].bits
-        unit = size if measure.of == "bytes" else 1
-        return PresenceLayout(count[0].name, (2 << high) - (1 << low), (), unit, measure.plus)
+    if (count := bit_count(record, name)) is not None:
+        return bit_presence(count[0], size)
     field = record.named(name)
     presence = field.presence if field is not None else None
     selector = record.named(presence.by) if presence is not None else None
     if presence is None or selector is None or selector.value is None:
         return None
     return PresenceLayout(presence.by, *stated_bits(presence, selector.value, enums))
+
+
+def bit_presence(count: Field, size: int) -> PresenceLayout:
+    """The bits of a field that count another one, whose elements have some bytes."""
+    measure = count.bit_measure
+    assert measure is not None
+    assert measure.bits is not None
+    low, high = measure.bits
+    unit = size if measure.of == "bytes" else 1
+    return PresenceLayout(count.name, (2 << high) - (1 << low), (), unit, measure.plus)
 
 
 def presence_data(presence: PresenceLayout) -> dict[str, Any]:

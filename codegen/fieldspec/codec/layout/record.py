@@ -17,6 +17,7 @@ from fieldspec.language.model.primitives import Primitive
 from fieldspec.language.model.raw_numbers import orders_of
 from fieldspec.language.model.record import Case, Field, Measure, Record
 from fieldspec.language.model.registers import Register
+from fieldspec.language.model.text_form import text_bytes
 from fieldspec.language.model.value import Value
 
 if TYPE_CHECKING:
@@ -52,7 +53,8 @@ class FieldLayout:
     equal sizes the number to write first; it is empty if all bytes are the value. For the bit count of a write
     request, `bits_of` is the list into whose bytes the bits are packed; it is empty for other fields. `presence`
     says what decides whether it is sent, None where it always is. It `counts_sent` bytes of what differs in size. A
-    `continuation` is what its elements say of the next.
+    `continuation` is what its elements say of the next. A text that varies in width is `in_room`, as a list is, where
+    its record has lists, or bits that count it.
     """
 
     field: Field
@@ -72,6 +74,7 @@ class FieldLayout:
     presence: PresenceLayout | None = None
     counts_sent: bool = False
     continuation: Continuation | None = None
+    in_room: bool = False
 
     @property
     def measure(self) -> Measure | None:
@@ -126,7 +129,7 @@ class FieldLayout:
         """The least bytes of an element."""
         if self.forms:
             return min(form.value.least_size for form in self.forms.values() if form.value is not None)
-        return self.record.least if self.record is not None else self.size
+        return self.record.least if self.record is not None else 0 if self.in_room else self.size
 
     @property
     def greatest_size(self) -> int:
@@ -270,8 +273,8 @@ class RecordLayout:
 
     @property
     def has_differing(self) -> bool:
-        """Whether it has records that differ in size, or fields of several types before others."""
-        return any(field.forms or (field.record and field.record.size is None) for field in self.fields)
+        """Whether it has records that differ in size, texts among lists, or fields of several types before others."""
+        return any(own.forms or own.in_room or (own.record and own.record.size is None) for own in self.fields)
 
     @property
     def has_single_list(self) -> bool:
@@ -318,11 +321,28 @@ class RecordLayout:
         return replace(self, fields=tuple(fields))
 
     def with_list_bits(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Raw values with the bits that count lists, or say that another element follows, as these have elements."""
-        counts = [(own.name, own.presence) for own in self.fields if own.presence and own.has_count_in_bits]
-        numbers = {own.by: own.filled(values[own.by], len(values[name])) for name, own in counts}
+        """Raw values with the bits that count lists and texts, or say that another element follows, as these are."""
+        counts = [
+            (own.presence, len(values[own.name])) for own in self.fields if own.presence and own.has_count_in_bits
+        ]
+        counts += [(bits, self._text_size(name, values)) for name, bits in self.bits_of_texts]
+        numbers = {own.by: own.filled(values[own.by], size) for own, size in counts}
         lists = {own.name: own.continuation.ended(values[own.name]) for own in self.fields if own.continuation}
         return {**values, **numbers, **lists}
+
+    @property
+    def bits_of_texts(self) -> list[tuple[str, PresenceLayout]]:
+        """The texts that bits count, and these bits."""
+        lists = self.inner_lists.lists if self.inner_lists is not None else ()
+        return [(inner.name, own) for inner in lists if (own := inner.presence) and inner.sent_plus is not None]
+
+    def _text_size(self, name: str, values: Mapping[str, Any]) -> int:
+        """The bytes that are sent for a text among some values."""
+        field, text = self.named(name), values[name]
+        assert field is not None
+        assert field.value is not None
+        data: bytes = text if isinstance(text, bytes) else text_bytes(field.value, field.order, text)
+        return len(data.rstrip(b"\0"))
 
     def of_number(self, number: object) -> RecordLayout | None:
         """The record for a value of the selector, None if it decides none."""

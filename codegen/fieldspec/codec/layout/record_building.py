@@ -12,7 +12,7 @@ from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation.classes import TYPE_CHECKING, replace
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum
-from fieldspec.language.model.record import Choice, Field, Record, text_count
+from fieldspec.language.model.record import Choice, Field, Record, bit_count, text_count
 from fieldspec.language.model.stated_bits import legal_numbers, stated_bits
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ def record_layout(
     last = record.fields[-1] if record.fields else None
     if last is None or last.choice is None:
         return _fixed(record, records, orders, device)
-    is_behind = any(_varies(field, records) for field in record.fields[:-1])
+    is_behind = any(_varies(own, records) or (own.value and own.value.width) for own in record.fields[:-1])
     is_inside = is_part or is_behind or last.choice.bits is not None
     if last.choice.has_widths or (is_inside and not last.is_list):
         return _fixed(record, records, orders, device)
@@ -38,6 +38,15 @@ def _varies(field: Field, records: Mapping[str, RecordLayout]) -> bool:
     if field.record and records[field.record].size is None:
         return True
     return field.repeat is not None or field.choice is not None or _is_packed(field)
+
+
+def has_spans(record: Record, has_lists: bool) -> bool:
+    """Whether the bytes after values that vary in width may show where these end, or each of them is counted by a whole
+    field in a record without lists.
+    """
+    widths = [field for field in record.fields if field.value is not None and field.value.width]
+    is_open = any(text_count(record, field) is None for field in widths)
+    return is_open or not (has_lists or any(bit_count(record, field.name) for field in widths))
 
 
 def _is_never_open(field: Field) -> bool:
@@ -110,7 +119,10 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders, 
     fields: list[FieldLayout] = []
     enums = device.enums
     lists = [field for field in record.fields if _varies(field, records)]
+    texts = [] if has_spans(record, bool(lists)) else [own for own in record.fields if own.value and own.value.width]
     differing = {own.name for own in lists if own.choice or (own.record and records[own.record].size is None)}
+    differing |= {own.name for own in texts}
+    lists = [own for own in record.fields if own in lists or own in texts]
     is_inner = any(field is not record.fields[-1] or _is_never_open(field) for field in lists)
     is_inner |= bool(differing)
     remaining_fields = [field for field in record.fields if field not in lists]
@@ -127,11 +139,13 @@ def _fixed(record: Record, records: Mapping[str, RecordLayout], orders: Orders, 
         )
         measures = field.measures
         counts_sent = measures is not None and measures.of == "bytes" and measures.field in differing
-        presence, continuation = presence_layout(record, field.name, size, enums), _continuation(field_layout, enums)
+        is_text, continuation = field in texts, _continuation(field_layout, enums)
+        presence = None if is_text else presence_layout(record, field.name, size, enums)
         field_layout = replace(field_layout, presence=presence, counts_sent=counts_sent, continuation=continuation)
+        field_layout = replace(field_layout, in_room=is_text)
         fields.append(_with_forms(field_layout, fields))
         offset += size * (field.repeat.high if field.repeat is not None else count or 1)
-    if any(field.value is not None and field.value.width for field in fields):
+    if not texts and any(field.value is not None and field.value.width for field in fields):
         return _varying(record, tuple(fields))
     fixed = sum(field.size * (field.count or 0) for field in fields if field.field not in lists)
     if not lists:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from fieldspec.codec.layout.accepted import Condition, passes
-from fieldspec.codec.layout.inner_lists import InnerLists, ListExtent
+from fieldspec.codec.layout.inner_lists import InnerLists
+from fieldspec.codec.layout.list_extents import ListExtent
 from fieldspec.codec.layout.presence import masked
 from fieldspec.codec.layout.values import Raw
 from fieldspec.codec.layout.widths import widened

@@ -103,7 +103,8 @@ def _decoded_inner_lists(record: RecordLayout, inner: InnerLists, data: bytes, d
     try:
         values = decoded(record.image, inner.image_of(data, extents), device)
         pairs = zip(inner.lists, extents, strict=True)
-        values |= {own.count: extent.size + own.sent_plus for own, extent in pairs if own.sent_plus is not None}
+        counts = [(own, extent) for own, extent in pairs if own.sent_plus is not None and own.presence is None]
+        values |= {own.count: extent.size + (own.sent_plus or 0) for own, extent in counts}
         return {field.name: values[field.name] for field in record.sent_fields}
     except CodecError as error:
         place = None if error.offset is None else offset + inner.place_in_data(extents, error.offset)
@@ -252,7 +253,8 @@ def encoded(record: RecordLayout, values: Mapping[str, Any], device: Device) -> 
     except OverflowError:
         raise CodecError("out_of_range", f"{record.name} has more bytes than a field can count") from None
     except WidthError as error:
-        raise CodecError(error.reason, f"{error.name} has the character that ends it") from None
+        problem = "does not count the bytes that follow" if error.reason == "wrong_measure" else "has its own end"
+        raise CodecError(error.reason, f"{error.name} {problem}") from None
 
 
 def _encoded_fields(record: RecordLayout, values: Mapping[str, Any], device: Device) -> Values:

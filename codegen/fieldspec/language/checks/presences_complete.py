@@ -1,9 +1,10 @@
 """The field that says by its bits whether another one is sent, or how many elements it has, comes before it in its
 record. It is one unsigned binary number of at most four bytes that programs set: not a constant, reserved, optional,
-computed or a parameter. It has the bits, or the enum with the members. At most 16 bits count a list with `repeat`, and
-the field with them has no `range`, scale, enum or special values. The number that says whether another element follows
-is such a number, too; in a record, only fields of fixed size come before it. Some numbers say so, and others not.
-Nothing else measures such fields. The data of exception responses, and of messages that access registers, have none.
+computed or a parameter. It has the bits, or the enum with the members. At most 16 bits count a list with `repeat`, or
+the bytes of a text with `varies`. The field with them has no `range`, scale, enum or special values. The number that
+says whether another element follows is such a number, too; in a record, only fields of fixed size come before it.
+Some numbers say so, and others not. Nothing else measures such fields. The data of exception responses, and of
+messages that access registers, have none.
 
 Why: a decoder reads the deciding number first, and then knows how many bytes follow.
 
@@ -115,10 +116,14 @@ def _count_problems(
         yield f"but {objection or 'it is a number with a meaning of its own'}", "name bits of one unsigned number"
     if high - low >= _MOST_BITS:
         yield f"in {high - low + 1} bits", f"a count has at most {_MOST_BITS} bits"
-    if measured.repeat is None or measured.choice is not None or _stated_key(measured) in (_KEY, _MORE):
-        yield "which has no number of elements", "state the `repeat` of a list that is always sent, of one type"
+    is_text = measured.value is not None and measured.value.width > 0 and measure.of == "bytes"
+    has_no_number = measured.repeat is None or measured.choice is not None or _stated_key(measured) in (_KEY, _MORE)
+    if has_no_number and not is_text:
+        varies = measured.value is not None and measured.value.width > 0
+        help = "state the `repeat` of a list that is always sent, of one type"
+        yield "which has no number of elements", f"count its `bytes: {measured.name}`" if varies else help
     is_packed = measured.value is not None and measured.value.packed_bits > 0
-    if measure.of == "bytes" and (is_packed or sizes.element(measured) is None):
+    if measure.of == "bytes" and not is_text and (is_packed or sizes.element(measured) is None):
         yield "whose elements have no bytes of one number", f"count the elements: `items: {measured.name}`"
     measures = [other.stated_measure for other in layer.fields if other.stated_measure is not None]
     if any(own is not measure and own.field == measured.name for own in measures):

@@ -23,7 +23,7 @@ from fieldspec.language.checks.facts import layers
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.record import Field, Message, Record, list_count, text_count
+from fieldspec.language.model.record import Field, Message, Record, list_count
 from fieldspec.language.model.sizes import RecordSizes
 
 _CODE = "repeat_last"
@@ -61,8 +61,8 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
     if inner is None:
         return
     untold = sizes.untold(inner)
-    # Beside texts that vary in width, `varying_widths_end` says what to do.
-    if untold is not None and not any(text_count(inner, own) is not None for own in inner.fields):
+    # `varying_widths_end` says what to do about a text.
+    if untold is not None and not (untold.value is not None and untold.value.width):
         text = f"{inner.name} has no fixed size, and nothing in it marks the end of {untold.name}"
         help = (
             "let a field of it, a `u8` or `u16` before it, count it with `measures`, or let a message have its fields"

@@ -1,9 +1,9 @@
 """A value that varies in width is a text, or a number of decimal or hexadecimal digits. It is a field of a message, and
 ends with the message or before a constant of one byte that it cannot have. One field before a text can contain the
-text's number of bytes: an unsigned whole number of one or two bytes whose range includes every length of the text. A
-message with a value that varies in width has no list of free length, no record of varying size, no choice, and no other
-field that measures that value. Measured texts can also be fields of a record within messages and other records, if the
-other fields of that record have a fixed size. Counted texts and `bytes` can be cases of a choice.
+text's number of bytes: an unsigned whole number of one or two bytes whose range includes every length of the text, or
+some bits. A message with a value that no field measures has no list of free length, no record of varying size, no
+choice, and no number of bytes in some bits. Measured texts can also be fields of a record within messages and other
+records, and counted texts and `bytes` cases of a choice.
 
 Why: the constant after such a value marks its end. If the value could contain that constant, the next value would be
 read as a part of it.
@@ -50,7 +50,6 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
         for case in field.choice.cases
         if is_array(case.value.encoding)
     }
-    mixed = dict(pair for record in device.records.values() for pair in _beside_texts(sizes, record))
     for fact, value in values(device):
         if not value.width:
             continue
@@ -58,12 +57,6 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
         for key in unused:
             yield finding(_CODE, fact.place, key, f"`{key}` has no effect in a text that varies", f"remove `{key}`")
         if unused:
-            continue
-        other = mixed.get(id(fact))
-        if other is not None:
-            text = f"{fact.name} varies in width, and {other.name} in the same record has no fixed size"
-            help = f"state {fact.name} and its number of bytes in a record of its own, and here a field of that record"
-            yield finding(_CODE, fact.place, "varies", text, help, label(other.place, "name", "has no fixed size"))
             continue
         is_in_place = id(fact) in messages or id(fact) in parts or id(fact) in cases
         is_case = id(fact) in cases
@@ -75,14 +68,6 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
             yield from _of_message(sizes, message, body)
     for record in counting:
         yield from _of_record(record)
-
-
-def _beside_texts(sizes: RecordSizes, record: Record) -> Iterator[tuple[int, Field]]:
-    """The counted texts of a record, by identity, each with the first other field that has no fixed size."""
-    texts = [field for field in record.fields if text_count(record, field) is not None]
-    other = next((field for field in record.fields if field not in texts and not sizes.is_fixed(field)), None)
-    if other is not None:
-        yield from ((id(text), other) for text in texts)
 
 
 def _bodies(message: Message) -> tuple[Record, Record]:
@@ -142,23 +127,34 @@ def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Iterator[
     varying = [field for field in body.fields if field.value is not None and field.value.width]
     if not varying:
         return
+    endless = next((field for field in varying if text_count(body, field) is None), None)
     for field in body.fields:
-        other = body.named(field.measures.field) if field.measures is not None else None
-        differs = bool(field.record) and not sizes.is_fixed(field)
-        is_packed = field.value is not None and field.value.packed_bits > 0
-        if differs or is_packed or field.repeat is not None or field.choice is not None:
-            key, objection = ("choice", "several types") if field.choice is not None else ("record", "no fixed size")
-            key, objection = ("packed_bits", "packed numbers") if is_packed else (key, objection)
-            key, objection = ("repeat", "a list of free length") if field.repeat is not None else (key, objection)
-            text = f"{field.name} has {objection}, and {varying[0].name} varies in width"
+        measure = field.stated_measure
+        other = body.named(measure.field) if measure is not None else None
+        key, objection = _beside(sizes, field) if endless is not None else ("", "")
+        if objection and endless is not None:
+            text = f"{field.name} has {objection}, and {endless.name} varies in width"
             yield finding(_CODE, field.place, key, text, "state one of them in a message of its own")
-        elif other in varying and other is not None:
+        elif field.measures is not None and other in varying and other is not None:
             yield from _of_count(body, field, other)
     if message.accesses:
         text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
         yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
     for field in varying:
         yield from _end(body, field)
+
+
+def _beside(sizes: RecordSizes, field: Field) -> tuple[str, str]:
+    """Why a field has no place beside a value whose end only the bytes after it show, after the key that says so."""
+    if field.repeat is not None:
+        return "repeat", "a list of free length"
+    if field.value is not None and field.value.packed_bits:
+        return "packed_bits", "packed numbers"
+    if field.choice is not None:
+        return "choice", "several types"
+    if field.record and not sizes.is_fixed(field):
+        return "record", "no fixed size"
+    return ("measures", "a number of bytes in its bits") if field.bit_measure is not None else ("", "")
 
 
 def _of_record(record: Record) -> Iterator[Diagnostic]:

@@ -221,8 +221,7 @@ def list_count(record: Record, field: Field) -> Field | None:
 
 def bit_count(record: Record, name: str) -> tuple[Field, Measure] | None:
     """The field that has the size of another one in some of its bits, and what they contain; None if there is none."""
-    pairs = ((other, other.bit_measure) for other in record.fields)
-    return next(((other, own) for other, own in pairs if own is not None and own.field == name), None)
+    return next(((other, own) for other in record.fields if (own := other.bit_measure) and own.field == name), None)
 
 
 def choice_count(record: Record, field: Field) -> Field | None:
@@ -235,17 +234,19 @@ def choice_count(record: Record, field: Field) -> Field | None:
 def text_count(record: Record, field: Field) -> Field | None:
     """The field before a text that varies in width that has its number of bytes, None if there is none.
 
-    It is an unsigned binary number of one or two bytes without any other meaning.
+    It is an unsigned binary number of one or two bytes without any other meaning, or has the number in its bits.
     """
     if field.value is None or not field.value.width or not is_text(field.value.encoding):
         return None
+    if (bits := bit_count(record, field.name)) is not None:
+        return bits[0]
     for other in record.fields[: record.fields.index(field)]:
         value, measure = other.value, other.measures
         if measure is None or measure.field != field.name or measure.of != "bytes" or value is None or other.is_list:
             continue
-        is_number = is_count(value.encoding) and not is_signed(value.encoding) and not value.digits
+        is_number = is_count(value.encoding) and not is_signed(value.encoding) and not value.digits and value.size <= 2
         has_meaning = value.const is not None or value.enum or value.flags or value.sentinels or value.scaled
-        if is_number and value.size <= 2 and not has_meaning and not other.reserved and measure.plus >= 0:
+        if is_number and not has_meaning and not other.reserved and measure.plus >= 0:
             return other
     return None
 

@@ -90,7 +90,6 @@ class RecordSizes:
 
     def untold(self, record: Record) -> Field | None:
         """The first field of a record whose end is not determined by earlier fields, None if there is none."""
-        has_texts = any(field.value is not None and field.value.width for field in record.fields)
         for field in record.fields:
             if self.is_fixed(field):
                 continue
@@ -98,7 +97,9 @@ class RecordSizes:
             is_packed = field.value is not None and field.value.packed_bits > 0
             is_decided = is_packed or field.choice is not None
             has_end &= self.element(field) is not None or self.tells_size(field.record) or is_decided
-            if not (text_count(record, field) is not None and not field.is_list if has_texts else has_end):
+            if field.value is not None and field.value.width:
+                has_end = text_count(record, field) is not None and not field.is_list
+            if not has_end:
                 return field
         return None
 

@@ -11,7 +11,7 @@ from fieldspec.targets.c.fields import deciding, decoded_selector, select, words
 from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.presences import follows, present_sizes
-from fieldspec.targets.c.statements import Return, Variable
+from fieldspec.targets.c.statements import Body, Return, Variable, discard
 
 _ENCODE = """static inline {status} {encode}({argument}uint8_t *out, size_t capacity, size_t *length)
 {{
@@ -123,6 +123,12 @@ def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:
     """`size_t tag_value_decided_size(const uint8_t *in)`, for each field of a record whose type another one decides."""
     functions: list[Declaration] = []
     for field in record.fields:
+        name = naming.function("record", record.name, f"{field.name}_decided_size")
+        if field.in_room:
+            size = add(Identifier(naming.own_macro("text_of")), unsigned(field.size))
+            body: Body = (discard("in"), Return(size))
+            text = f"The most bytes of {field.name}, a text."
+            functions += [BLANK, comment(text), Function(SIZE_TYPE, name, (Variable(INPUT_BYTES, "in"),), body)]
         if field.selector is None:
             continue
         cases: dict[tuple[int, str], list[CaseLayout]] = {}
@@ -136,7 +142,6 @@ def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:
         number = deciding(field, decoded_selector(naming, field.selector))
         unknown = (Return(Identifier("SIZE_MAX")),)
         text = f"The bytes of {field.name}, which {field.selector.name} decides; SIZE_MAX where that decides nothing."
-        name = naming.function("record", record.name, f"{field.name}_decided_size")
         body = (select(field.selector, number, branches, unknown),)
         functions += [BLANK, comment(text), Function(SIZE_TYPE, name, (Variable(INPUT_BYTES, "in"),), body)]
     return functions

@@ -49,12 +49,13 @@ def _sent(record: RecordLayout) -> list[Data]:
 def _forms(device: Device, record: RecordLayout, field: FieldLayout) -> list[Data]:
     """The forms of a field with the numbers that decide them."""
     forms = [(case, field.forms[min(case.numbers)]) for case in field.cases]
-    return [[sorted(case.numbers), {**_field(device, record, form), **_span(form)}] for case, form in forms]
+    return [[sorted(case.numbers), _field(device, record, form)] for case, form in forms]
 
 
-def _span(form: FieldLayout) -> dict[str, Data]:
-    """How a form varies in width, which no number of its own decides; nothing for others."""
-    return {"span": span_data(Span(form.name, form.size, form.value, None))} if form.varies else {}
+def _span(record: RecordLayout, field: FieldLayout) -> Data:
+    """How a value varies in width that is in the image of a record with lists; None for others."""
+    has_span = field.value is not None and field.value.width and not record.spans
+    return {**span_data(Span(field.name, field.size, field.value, None))} if has_span else None
 
 
 def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str, Data]:
@@ -79,6 +80,7 @@ def _field(device: Device, record: RecordLayout, field: FieldLayout) -> dict[str
                 "record": field.record.name if field.record is not None else "",
                 "parts": _parts(field),
                 "packing": packing_data(field.packing) if field.packing is not None else None,
+                "span": _span(record, field),
                 "cases": field.splits_record,
                 "presence": presence_data(field.presence) if field.presence is not None else None,
                 "by": field.selector.name if field.selector is not None else "",

@@ -67,7 +67,7 @@ def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
         sizes.append(f"({items} && {size})" if repeat is not None else size)
     last = record.inner_lists.last
     size = " + ".join([str(record.inner_lists.fixed), *sizes])
-    if any(form.varies for field in record.fields for form in field.forms.values()):
+    if any(own.in_room or any(form.varies for form in own.forms.values()) for own in record.fields):
         size = f"sent{name}(value).length"
     return [
         f"function sent{name}(value) {{",

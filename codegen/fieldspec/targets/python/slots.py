@@ -112,8 +112,9 @@ class Slots:
 
     @property
     def in_room(self) -> bool:
-        """Whether it is a list of free length or of packed numbers, or a record that differs in size."""
-        return self.repeated or (self.field.varies and (self.field.value is None or self.field.packing is not None))
+        """Whether it is a list of free length or of packed numbers, a text beside lists, or a record of no one size."""
+        own = self.field
+        return self.repeated or own.in_room or (own.varies and (own.value is None or own.packing is not None))
 
     @property
     def constant(self) -> int | None:

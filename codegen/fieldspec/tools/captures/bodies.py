@@ -9,13 +9,13 @@ import numpy as np
 import numpy.typing as npt
 
 from fieldspec.codec.layout.inner_lists import InnerList
-from fieldspec.codec.layout.presence import PresenceLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import WidthError, extents, image_of, image_with_counts
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, spread
 from fieldspec.tools.captures.decoders import Decoders, ValueColumns
 from fieldspec.tools.captures.part_numbers import field_numbers
+from fieldspec.tools.captures.presences import has_element, is_met, presence_bits
 from fieldspec.tools.captures.slots import Slot, deepened, slots, with_deep_rooms
 from fieldspec.tools.captures.verdicts import (
     INCOMPLETE,
@@ -250,7 +250,7 @@ class BodyReader:
             if not len(rows):
                 return
         for start, inner, number in slot.places:
-            is_there = _has_element(buffer, place + start, inner, number)
+            is_there = has_element(buffer, place + start, inner, number)
             rows, place = rows[is_there], place[is_there]
             index = index if index is None else index[is_there]
             if not len(rows):
@@ -274,7 +274,8 @@ class BodyReader:
 
     def _refuse_zeros(self, text: InnerList, buffer: Bytes, place: Numbers, values: ValueColumns) -> None:
         """Refuses texts at the end of records, which begin at a `place`, that have a zero among their bytes."""
-        count = number_at(buffer, place - text.room + text.count_at, text.count_size, text.count_order) - text.plus
+        count = number_at(buffer, place - text.room + text.count_at, text.count_size, text.count_order)
+        count = (count if text.presence is None else presence_bits(text.presence, count)) - text.plus
         for row, (first, size) in enumerate(zip(place.tolist(), count.tolist(), strict=True)):
             data = buffer[first : first + size].tobytes()
             if 0 in data:
@@ -299,13 +300,15 @@ class BodyReader:
             wrong = (number + 7) // 8 != np.maximum(counts[slot.layout.bits_of], 0)
             blame(verdict, wrong & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
             return
-        measure = slot.layout.field.measures if slot.layout is slot.field else None
+        measure = slot.layout.field.stated_measure if slot.layout is slot.field else None
         other = self.record.named(measure.field) if measure else None
         if measure is None or other is None or other.splits_record or slot.path in self.counts_of_texts:
             return
         room = self.record.room_of(other)
-        if slot.layout.counts_sent or (room is not None and room.count == slot.path):
+        if slot.layout.counts_sent or other.in_room or (room is not None and room.count == slot.path):
             blame(verdict, counts[other.name] == MISCOUNT, WRONG_MEASURE)
+            return
+        if measure.bits is not None:
             return
         items = np.clip((size - other.offset) // max(other.size, 1), 0, counts[other.name])
         items = np.maximum(items, 0) if other.is_list else np.ones(len(offsets), np.int64)
@@ -334,36 +337,11 @@ class BodyReader:
             if presence is not None and presence.by == slot.field.name:
                 bits = field_numbers(slot.layout, buffer, offsets) & presence.mask
                 items = counts[other.name]
-                wrong = _is_met(presence, bits) != (items > 0)
+                wrong = is_met(presence, bits) != (items > 0)
                 if other.has_count_in_bits:
-                    wrong = bits >> presence.shift != items * presence.unit + presence.plus
+                    wrong = presence_bits(presence, bits) != items * presence.unit + presence.plus
                 is_known = (items >= 0) & (slot.offset + slot.layout.size <= size) & (other.offset <= size)
                 blame(verdict, (wrong & is_known) | (items == MISCOUNT), WRONG_MEASURE)
-
-
-def _has_element(buffer: Bytes, offsets: Numbers, inner: InnerList, number: int) -> Mask:
-    """Whether the lists of records that begin at some places have an element with a number."""
-    is_there = np.ones(len(offsets), np.bool_)
-    if inner.count:
-        units = number_at(buffer, offsets + inner.count_at, inner.count_size, inner.count_order)
-        units = units if inner.presence is None else units & inner.presence.mask
-        if inner.presence is not None and inner.presence.numbers:
-            is_there = _is_met(inner.presence, units)
-        else:
-            units = units if inner.presence is None else units >> inner.presence.shift
-            is_there = (units - inner.plus) * inner.unit // inner.element > number
-    continuation = inner.continuation
-    for index in range(number if continuation is not None else 0):
-        assert continuation is not None
-        place = offsets + inner.room + index * inner.element + continuation.offset
-        numbers = number_at(buffer, place, continuation.size, continuation.order)
-        is_there &= _is_met(continuation.presence, numbers & continuation.presence.mask)
-    return is_there
-
-
-def _is_met(presence: PresenceLayout, bits: Numbers) -> Mask:
-    """Whether the deciding bits of numbers say that something is sent."""
-    return bits > 0 if presence.is_any else np.isin(bits, presence.number_list)
 
 
 def _deciding(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:

@@ -45,6 +45,9 @@ def slots(record: RecordLayout, prefix: str = "", start: int = 0, outer: FieldLa
                 field_slots = slots(field.record, f"{path}.", place, outer or field)
             elif field.selector is not None:
                 field_slots = _slots_of_cases(record, field, path, start, outer)
+            elif field.in_room:
+                field_slots = iter([Slot(path, place, field, outer or field, text=_text_list(record, field))])
+                inner = None
             elif inner is not None and field.value is not None and field.value.width:
                 count = record.named(inner.count)
                 assert count is not None
@@ -77,13 +80,18 @@ def _slots_of_cases(
 ) -> Iterator[Slot]:
     """A slot for each type of a field that another one decides; that one has its place in the image."""
     assert field.selector is not None
-    own = next(inner for inner in inner_lists_of(record, is_element=True).lists if inner.name == field.name)
     for case in field.cases:
         form = field.forms[min(case.numbers)]
         numbers = ((start, field, case.numbers),)
         is_text = form.varies and form.value is not None and not form.value.is_marked
-        text = replace(own, plus=own.sent_plus or 0) if is_text else None
+        text = _text_list(record, field) if is_text else None
         yield Slot(path, start + form.offset, form, outer or field, text=text, numbers=numbers)
+
+
+def _text_list(record: RecordLayout, field: FieldLayout) -> InnerList:
+    """A text whose sent bytes a field of its record counts, or bits, as a list of its bytes."""
+    own = next(inner for inner in inner_lists_of(record, is_element=True).lists if inner.name == field.name)
+    return replace(own, plus=own.sent_plus or 0)
 
 
 def with_deep_rooms(record: RecordLayout) -> RecordLayout:

@@ -305,8 +305,14 @@ export class Body {
     return py.max(0, py.min(this._count(field), Math.floor((this.end - this.start - field.offset) / field.size)));
   }
 
-  /** The value of a field whose bits say how many elements others have, judged by how many they have. */
+  /** The value of a field whose bits say how many elements others have, or bytes of a text, judged by these. */
   _deciding(field, read) {
+    if (this.record.innerLists != null && this.fault != null) {
+      const inner = py.item(this.record.innerLists.lists, this.extents.length);
+      if (inner.presence != null && inner.sentPlus != null) {
+        read = this._wrongCount(inner, field, read);
+      }
+    }
     for (const other of this.record.fields) {
       const [presence, number] = [other.presence, read.number];
       if (presence == null || presence.by !== field.name) {

@@ -233,6 +233,9 @@ static inline device_codec_status device_place_lists(const device_inner_list *li
         if (list->counts_sent && (unsigned long)((long)own + list->sent_plus) >> 8u * list->count_size != 0u) {
             return DEVICE_ERR_OUT_OF_RANGE;
         }
+        if (list->counts_sent && list->mask != 0u && device_measured_bytes(list, image) != own) {
+            return DEVICE_ERR_WRONG_MEASURE;
+        }
         total += own;
     }
     if (capacity < total) {

@@ -63,20 +63,27 @@ static inline uint32_t device_list_number(const device_inner_list *list, const u
     return number;
 }
 
-/** Writes a number to the bytes at `count_at`. */
+/** Writes a number to the bytes at `count_at`, of which no bits count. */
 static inline void device_store_list_number(const device_inner_list *list, uint8_t *image, size_t number)
 {
     uint8_t *count = image + list->count_at;
     size_t index;
-    for (index = 0; index < list->count_size; index++) {
+    for (index = 0; list->mask == 0u && index < list->count_size; index++) {
         count[list->is_little ? index : list->count_size - 1u - index] = (uint8_t)(number >> 8u * index);
     }
+}
+
+/** The number in some bytes at `count_at`, or in the bits of it that count the list. */
+static inline size_t device_list_count(const device_inner_list *list, const uint8_t *image)
+{
+    uint32_t number = device_list_number(list, image);
+    return (size_t)(list->mask == 0u ? number : (number & list->mask) / (list->mask & (0u - list->mask)));
 }
 
 /** The sent bytes of elements that differ in size, as a number in sent bytes says; SIZE_MAX for one that cannot be right. */
 static inline size_t device_measured_bytes(const device_inner_list *list, const uint8_t *fields)
 {
-    long size = (long)device_list_number(list, fields) - list->sent_plus;
+    long size = (long)device_list_count(list, fields) - list->sent_plus;
     return size < 0 || (unsigned long)size > list->most ? SIZE_MAX : (size_t)size;
 }
 
@@ -124,17 +131,16 @@ static inline size_t device_first_element(const device_inner_list *list, const u
 /** The bytes of a list, as its count in an image says; SIZE_MAX for a count that cannot be right. */
 static inline size_t device_list_size(const device_inner_list *list, const uint8_t *image)
 {
-    uint32_t bits = device_list_number(list, image);
     size_t number, size;
     if (list->follows != NULL) {
         size = device_first_element(list, image);
         number = list->most / list->element;
         return size == 0u ? 0u : device_count_elements(list->follows, image + list->room, size, number) * size;
     }
-    if (list->count_size == 0u) {
+    if (list->count_size == 0u || list->decided_size != NULL) {
         return list->most;
     }
-    number = (size_t)(list->mask == 0u ? bits : (bits & list->mask) / (list->mask & (0u - list->mask)));
+    number = device_list_count(list, image);
     if (list->plus > 0 && number < (size_t)list->plus) {
         return SIZE_MAX;
     }

@@ -35,14 +35,21 @@ function listNumber({ at, length, little }, bytes) {
   return number;
 }
 
+/** The sent bytes that a number in sent bytes counts, or bits of it. */
+function sentNumber(list, bytes) {
+  const number = listNumber(list, bytes);
+  return (list.presence ? countInBits(list.presence, number) : number) - list.sentPlus;
+}
+
 /** The sent bytes of a list that a number in sent bytes counts; undefined where that cannot be right. */
 function measuredBytes(list, bytes) {
-  const size = listNumber(list, bytes) - list.sentPlus;
+  const size = sentNumber(list, bytes);
   return size >= 0 && size <= list.most ? size : undefined;
 }
 
-/** Some bytes with another number in the field that counts a list. */
-function setListNumber({ name, at, length, little }, bytes, number) {
+/** Some bytes with another number in the field that counts a list; bits that count it stay. */
+function setListNumber({ name, at, length, little, presence }, bytes, number) {
+  if (presence) return;
   if (number < 0 || number >= 256 ** length) throw new CodecError("out_of_range", `${name} has more bytes than a field can count`);
   for (let place = 0; place < length; place++) bytes[at + (little ? place : length - 1 - place)] = number / 256 ** place & 255;
 }
@@ -76,7 +83,7 @@ const isMarked = (decision, bytes) => !!decision.marked?.includes(Number(decidin
 function decidedExtent(inner, list, fields, extents) {
   const size = decidedBytes(list.decision, fields);
   if (size === undefined) return { fault: { reason: "unknown_value", at: placeAround(inner, extents, list.decision.at) } };
-  const number = list.sentPlus === undefined ? size : listNumber(list, fields) - list.sentPlus;
+  const number = list.sentPlus === undefined ? size : sentNumber(list, fields);
   if (number !== size && !(number >= 0 && number <= -size)) return { fault: numberFault(inner, extents, list) };
   const hasMark = isMarked(list.decision, fields);
   return { size: number, elements: [number], isText: size < 0 && !hasMark, hasMark };
@@ -338,7 +345,12 @@ export function sentOfImage({ fixed, lists }, image, last) {
   });
   const pieces = lists.map((list, index) => sentOfList(list, image.subarray(list.room, list.room + lengths[index])));
   for (const [index, list] of lists.entries()) {
-    if (list.sentPlus !== undefined) setListNumber(list, fields, pieces[index].length + list.sentPlus);
+    if (list.sentPlus === undefined) continue;
+    const size = pieces[index].length;
+    if (list.presence && sentNumber(list, fields) !== size) {
+      throw new CodecError("wrong_measure", `bits of ${list.countName} do not count the ${size} bytes of ${list.name}`);
+    }
+    setListNumber(list, fields, size + list.sentPlus);
   }
   const ends = [...lists.map(({ first }) => first), fixed];
   const sent = ends.flatMap((end, index) => [...fields.subarray(ends[index - 1] ?? 0, end), ...(pieces[index] ?? [])]);
