@@ -260,6 +260,10 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         extents: list[list[int]] = []
         numbers: list[int] = []
         zero_at: int | None = None
+
+        def place(at: int) -> int:
+            return self._place(extents, at)
+
         for inner in self.lists:
             at = inner.first + before
             fields += data[len(fields) + before : at]
@@ -267,7 +271,7 @@ class InnerLists(dict[tuple[int, ...], Struct]):
             if stop < at:
                 raise self._incomplete(len(data))
             is_last = inner is self.lists[-1]
-            sizes = inner.sent_sizes(fields, data, at, stop, lambda place: self._place(extents, place), is_last)
+            sizes = inner.sent_sizes(fields, data, at, stop, place, is_last)
             sent = sum(sizes)
             if at + sent > stop:
                 raise self._incomplete(len(data))
@@ -300,8 +304,8 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         try:
             return function(image, tuple(numbers))
         except CodecError as error:
-            place = None if error.offset is None else self._place(extents, error.offset)
-            raise CodecError(error.reason, error.detail, place) from None
+            offset = None if error.offset is None else place(error.offset)
+            raise CodecError(error.reason, error.detail, offset) from None
 
     def encoded(self, image: bytes) -> bytes:
         """The sent form of an image."""

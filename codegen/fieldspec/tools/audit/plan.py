@@ -130,10 +130,7 @@ def _plan(entry: Entry, lines: int) -> Plan:
         tuple(_patterns(entry, sections, lines)),
         tuple(_omissions(entry, "left_out", sections, lines)),
         Omission(entry.place(), tuple((section.first, section.first) for section in sections), "", None, HEADINGS),
-        tuple(
-            Unprinted(unprinted.place(), unprinted.texts("facts"), unprinted.text("reason"))
-            for unprinted in entry.entries("unprinted")
-        ),
+        tuple(unprinted.built(Unprinted) for unprinted in entry.entries("unprinted")),
         tuple(_omissions(entry, "without_behaviour", sections, lines)),
     )
 

@@ -196,14 +196,8 @@ def _review(entry: Entry) -> Review:
     day = entry.text("date")
     if not is_day(day):
         entry.refuse("reviews_sound", "date", f"there is no date {day}", "write it as in 2026-01-31")
-    return Review(
-        entry.place(),
-        entry.text("by"),
-        day,
-        entry.text("manual"),
-        entry.text("edition"),
-        entry.text("doc"),
-        tuple(_signed(inner) for inner in entry.entries("sections", "section")),
+    return entry.built(
+        Review, date=day, sections=tuple(_signed(inner) for inner in entry.entries("sections", "section"))
     )
 
 
@@ -216,7 +210,7 @@ def _signed(entry: Entry) -> SignedSection:
         entry.refuse("reviews_sound", "facts", "these are not the hashes of facts", help)
         text = ""
     digests = tuple(text[start : start + _SIZE] for start in range(0, len(text), _SIZE))
-    return SignedSection(entry.text("section"), entry.place(), entry.text("state"), digests)
+    return entry.built(SignedSection, facts=digests)
 
 
 def reviewed(now: Mapping[str, State], reviews: Iterable[Review], manual: str) -> list[ReviewedSection]:

@@ -268,17 +268,15 @@ class Entry:
             for name, inner in node.values.items() if isinstance(node, Mapping) else ():
                 if isinstance(inner, Mapping):
                     entry = Entry(inner, f"{self.path}/{key}/{name}", self.findings)
-                    standards[name] = Standard(entry.text("name"), entry.text("clause"))
+                    standards[name] = entry.built(Standard)
         return standards
 
     def reports(self, key: str) -> tuple[Report, ...]:
         """The reports of others about a fact."""
         return tuple(
-            Report(
-                entry.place(),
-                entry.text("by"),
-                entry.text("how"),
-                {key: _claimed(value) for key, value in entry.node.values.items() if key not in _REPORT_META},
+            entry.built(
+                Report,
+                values={key: _claimed(value) for key, value in entry.node.values.items() if key not in _REPORT_META},
             )
             for entry in self.entries(key, "")
         )

@@ -172,36 +172,14 @@ def _lines(root: Entry, reused: Reused) -> tuple[VersionLine, ...]:
 
 def _line(entry: Entry) -> VersionLine:
     members = tuple(
-        Version(
-            inner.text("id"),
-            inner.text("title"),
-            inner.text("doc"),
-            inner.text("inferred"),
-            inner.sources,
-            inner.scalars("detected_as"),
-        )
-        for inner in entry.entries("members", "id")
+        inner.built(Version, detected_as=inner.scalars("detected_as")) for inner in entry.entries("members", "id")
     )
-    return VersionLine(
-        entry.text("line"),
-        entry.text("title"),
-        entry.flag("builds"),
-        entry.text("like"),
-        entry.text("inferred"),
-        members,
-        _detection(entry.entry("detected_by")),
+    return entry.built(
+        VersionLine, name=entry.text("line"), versions=members, detected_by=_detection(entry.entry("detected_by"))
     )
 
 
 def _detection(entry: Entry | None) -> Detection | None:
     if entry is None:
         return None
-    return Detection(
-        entry.place(),
-        entry.text("fact"),
-        entry.text("form"),
-        entry.integer("places") or 0,
-        entry.text("doc"),
-        entry.text("inferred"),
-        entry.sources,
-    )
+    return entry.built(Detection, places=entry.integer("places") or 0)

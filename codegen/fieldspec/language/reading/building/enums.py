@@ -27,9 +27,7 @@ def _member(entry: Entry) -> Member:
     return entry.built(
         Member,
         value=entry.integer("value") or 0,
-        causes=tuple(
-            Cause(inner.text("cause"), inner.texts("remedies"), inner.sources) for inner in entry.entries("causes")
-        ),
+        causes=tuple(inner.built(Cause) for inner in entry.entries("causes")),
     )
 
 

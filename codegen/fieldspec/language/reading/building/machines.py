@@ -15,13 +15,10 @@ def state_machines(root: Entry) -> tuple[StateMachine, ...]:
     """The state machines of a device, in the order of the spec."""
     parts = list(root.named(_SECTION, _SECTION))
     return tuple(
-        StateMachine(
-            entry.text("name"),
-            entry.place(),
-            entry.texts("machine"),
-            tuple(_transitions(entry, parts)),
-            entry.text("assumed"),
-            entry.sources,
+        entry.built(
+            StateMachine,
+            states=entry.texts("machine"),
+            transitions=tuple(_transitions(entry, parts)),
         )
         for entry in parts
         if entry.get("machine") is not None
@@ -39,16 +36,13 @@ def _transitions(machine: Entry, parts: list[Entry]) -> Iterator[Transition]:
             continue
         conditions = {key: _texts(node) for key, node in _pairs(entry.get("if"))}
         origins = conditions.get(own, tuple(state for state in states if state != target))
-        yield Transition(
-            entry.text("name"),
-            entry.place(),
-            tuple(state for state in origins if state in states),
-            target,
-            next(((kind, ", ".join(_texts(node))) for kind, node in _pairs(entry.get("when"))), ()),
-            tuple((key, values) for key, values in conditions.items() if key != own),
-            tuple(_action(action) for action in actions if action not in entered),
-            entry.text("assumed"),
-            entry.sources,
+        yield entry.built(
+            Transition,
+            origins=tuple(state for state in origins if state in states),
+            target=target,
+            event=next(((kind, ", ".join(_texts(node))) for kind, node in _pairs(entry.get("when"))), ()),
+            conditions=tuple((key, values) for key, values in conditions.items() if key != own),
+            actions=tuple(_action(action) for action in actions if action not in entered),
         )
 
 

@@ -21,10 +21,7 @@ from fieldspec.language.reading.nodes import Scalar, Sequence, identity
 
 def lookup(entry: Entry) -> Lookup:
     """The lookup table, of what is not on the wire, that an entry states."""
-    columns = tuple(
-        LookupColumn(inner.text("name"), inner.text("title"), inner.text("label"), inner.text("enum"))
-        for inner in entry.entries("columns")
-    )
+    columns = tuple(inner.built(LookupColumn) for inner in entry.entries("columns"))
     return entry.built(
         Lookup,
         kind=entry.text("kind") or "table",
@@ -41,7 +38,7 @@ def _lookup_row(entry: Entry, width: int) -> LookupRow:
         text = f"the row has {len(cells)} cells, the table {width} columns"
         entry.refuse("wrong_size", "cells", text, "write `~` for an empty cell")
         cells = (cells + (None,) * width)[:width]
-    return LookupRow(entry.place(), cells, entry.text("notes"), entry.sources, entry.texts("only"))
+    return entry.built(LookupRow, cells=cells)
 
 
 def limit(entry: Entry) -> Limit:
@@ -64,10 +61,7 @@ def note(entry: Entry) -> Note:
     return entry.built(
         Note,
         statements=tuple(
-            Statement(
-                inner.place(), inner.text("subject"), inner.text("says"), inner.text("text"), inner.citations("source")
-            )
-            for inner in entry.entries("statements", "")
+            inner.built(Statement, sources=inner.citations("source")) for inner in entry.entries("statements", "")
         ),
     )
 
@@ -111,4 +105,4 @@ def stated_change(entry: Entry) -> StatedChange:
         if section == "registers" and inner:  # the path of a register does not name its group
             path = section
         path = f"{path}/{name}" if name else path
-    return StatedChange(entry.place(), kind, path, entry.text("to"), entry.text("reason"), entry.sources)
+    return entry.built(StatedChange, kind=kind, path=path)

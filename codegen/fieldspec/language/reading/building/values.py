@@ -93,11 +93,9 @@ def value(entry: Entry, type_name: str = "") -> Value:
 
 def _parameter_part(entry: Entry) -> ParameterPart:
     sizes = entry.entry("sizes")
-    return ParameterPart(
-        entry.text("set"),
-        entry.text("part"),
-        entry.text("number"),
-        ParameterSizes(
+    return entry.built(
+        ParameterPart,
+        sizes=ParameterSizes(
             sizes.text("by"),
             tuple(SizeCase(case.texts("when"), case.integer("bytes") or 0) for case in sizes.entries("cases")),
         )
@@ -120,7 +118,7 @@ def _sentinel(entry: Entry) -> Sentinel:
     is_nan = bits is not None and number is None and ranges is None
     value = bits if bits is not None and is_nan else low
     last = None if high == value else high
-    return Sentinel(value, entry.text("name"), entry.text("doc"), entry.sources, is_nan, last)
+    return entry.built(Sentinel, value=value, is_nan=is_nan, last=last)
 
 
 def scale_of(entry: Entry) -> Decimal | Fraction | None:
