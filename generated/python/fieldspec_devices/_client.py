@@ -6,7 +6,7 @@ blocks and a client for asyncio carry out the same generators.
 
 from __future__ import annotations
 
-from time import monotonic, sleep
+from time import monotonic
 
 from ._error import CodecError
 from ._frames import ExceptionResponse
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
     from ._framers import Framer
     from ._frames import RequestOf, Response
-    from .transports import AsyncTransport, Transport
 
     Work: TypeAlias = "Generator[tuple[int, Any], Any, T]"
 
@@ -279,112 +278,18 @@ def refusal(reply: ExceptionResponse[Any], link: Link) -> RefusedError:
     return RefusedError(text, int(first), exception)
 
 
-def carry_out(work: Work[T], transport: Transport) -> T:
-    """Carries out a generator on a transport that blocks. Raises what the generator raises."""
-    result: Any = None
-    failure: BaseException | None = None
-    while True:
-        try:
-            action, content = work.send(result) if failure is None else work.throw(failure)
-        except StopIteration as end:
-            done: T = end.value
-            return done
-        result = failure = None
-        try:
-            if action == READ:
-                result = _read(transport, content[0])
-            elif action == WRITE:
-                _write(transport, content)
-            elif action == SLEEP:
-                sleep(content)
-            else:
-                drop = getattr(transport, "reset_input_buffer", None)
-                if drop is not None:
-                    drop()
-        except BaseException as error:
-            failure = error
-
-
-def _read(transport: Transport, size: int) -> bytes:
-    begin = monotonic()
+def drop_input(transport: Any) -> None:
+    """Drops what a transport has received, if it keeps anything. Raises TransportError."""
+    drop = getattr(transport, "reset_input_buffer", None)
     try:
-        data = transport.read(size)
-    except TimeoutError:
-        data = b""
-    except (OSError, EOFError) as error:
-        raise TransportError(str(error)) from error
-    if not data and monotonic() - begin < 0.0005:
-        sleep(0.001)  # the transport does not wait by itself
-    return data or b""
-
-
-def _write(transport: Transport, data: bytes) -> None:
-    try:
-        transport.write(data)
+        if drop is not None:
+            drop()
     except (OSError, EOFError) as error:
         raise TransportError(str(error)) from error
 
 
-async def carry_out_async(work: Work[T], transport: AsyncTransport) -> T:
-    """Carries out a generator on a transport for asyncio. Raises what the generator raises."""
-    from asyncio import sleep as pause
-
-    result: Any = None
-    failure: BaseException | None = None
-    while True:
-        try:
-            action, content = work.send(result) if failure is None else work.throw(failure)
-        except StopIteration as end:
-            done: T = end.value
-            return done
-        result = failure = None
-        try:
-            if action == READ:
-                result = await _read_async(transport, *content)
-            elif action == WRITE:
-                await _write_async(transport, content)
-            elif action == SLEEP:
-                await pause(content)
-            else:
-                drop = getattr(transport, "reset_input_buffer", None)
-                if drop is not None:
-                    drop()
-        except BaseException as error:
-            failure = error
-
-
-async def _read_async(transport: AsyncTransport, size: int, seconds: float) -> bytes:
-    from asyncio import CancelledError, ensure_future, wait
-    from asyncio import TimeoutError as AsyncTimeoutError
-
-    # Before Python 3.12, wait_for forgets that it is cancelled where bytes come at that moment: a move would go on.
-    reading = ensure_future(transport.read(size))
-    try:
-        await wait({reading}, timeout=seconds)
-    except CancelledError:
-        reading.cancel()
-        await wait({reading})
-        if not reading.cancelled():
-            reading.exception()
-        raise
-    reading.cancel()
-    await wait({reading})
-    if reading.cancelled():
-        return b""
-    try:
-        return reading.result()
-    except (TimeoutError, AsyncTimeoutError):
-        return b""
-    except ConnectionRefusedError as error:
-        if not getattr(transport, "datagrams", False):
-            raise TransportError(str(error)) from error
-        return b""  # nobody has listened to what was sent before
-    except (OSError, EOFError) as error:
-        raise TransportError(str(error)) from error
-
-
-async def _write_async(transport: AsyncTransport, data: bytes) -> None:
-    try:
-        await transport.write(data)
-    except (OSError, EOFError) as error:
-        raise TransportError(str(error)) from error
+def link_named(links: Mapping[str, Link], name: str) -> Link:
+    """The link of a client with a name. Raises ValueError."""
+    if name not in links:
+        raise ValueError(f"there is no link {name!r}; known are {', '.join(links)}")
+    return links[name]

@@ -129,13 +129,15 @@ async def carry_out_async(work: Work[T], transport: AsyncTransport) -> T:
     """Carries out a generator on a transport for asyncio. Raises what the generator raises."""
     from asyncio import sleep as pause
 
-    try:
-        action, content = next(work)
-    except StopIteration as end:
-        done: T = end.value
-        return done
+    result: Any = None
+    failure: BaseException | None = None
     while True:
-        result: Any = None
+        try:
+            action, content = work.send(result) if failure is None else work.throw(failure)
+        except StopIteration as end:
+            done: T = end.value
+            return done
+        result = failure = None
         try:
             if action == READ:
                 result = await _read_async(transport, *content)
@@ -146,14 +148,7 @@ async def carry_out_async(work: Work[T], transport: AsyncTransport) -> T:
             else:
                 drop_input(transport)
         except BaseException as error:
-            failure: BaseException | None = error
-        else:
-            failure = None
-        try:
-            action, content = work.send(result) if failure is None else work.throw(failure)
-        except StopIteration as end:
-            value: T = end.value
-            return value
+            failure = error
 
 
 async def _read_async(transport: AsyncTransport, size: int, seconds: float) -> bytes:

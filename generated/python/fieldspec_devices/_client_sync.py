@@ -129,13 +129,15 @@ class Motion:
 
 def carry_out(work: Work[T], transport: Transport) -> T:
     """Carries out a generator on a transport that blocks. Raises what the generator raises."""
-    try:
-        action, content = next(work)
-    except StopIteration as end:
-        done: T = end.value
-        return done
+    result: Any = None
+    failure: BaseException | None = None
     while True:
-        result: Any = None
+        try:
+            action, content = work.send(result) if failure is None else work.throw(failure)
+        except StopIteration as end:
+            done: T = end.value
+            return done
+        result = failure = None
         try:
             if action == READ:
                 result = _read(transport, content[0])
@@ -146,14 +148,7 @@ def carry_out(work: Work[T], transport: Transport) -> T:
             else:
                 drop_input(transport)
         except BaseException as error:
-            failure: BaseException | None = error
-        else:
-            failure = None
-        try:
-            action, content = work.send(result) if failure is None else work.throw(failure)
-        except StopIteration as end:
-            value: T = end.value
-            return value
+            failure = error
 
 
 def _read(transport: Transport, size: int) -> bytes:
