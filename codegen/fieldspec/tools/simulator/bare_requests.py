@@ -40,9 +40,7 @@ def has_bare_requests(link: LinkLayout) -> bool:
 
 def bare_decoder(codec: Any, link: LinkLayout) -> Decoder:
     """The decoder of a link with bare requests, by the generated codec of the link."""
-    address, code = link.request.role("unit_address"), link.request.role("code")
-    assert address is not None
-    assert code is not None
+    header = [(part.name, part.role == "code") for part in link.request.header]
     decode_request: Callable[[bytes], Any] | None = getattr(codec, "decode_request", None)
     readers: dict[type, tuple[MessageLayout, Getters] | None] = {}
 
@@ -62,7 +60,8 @@ def bare_decoder(codec: Any, link: LinkLayout) -> Decoder:
             return None
         message, getters = reader
         values = {name: getter(data) for name, getter in getters}
-        return BareRequest({address.name: request.unit_address, code.name: kind.CODE}, message, values)
+        head = {name: kind.CODE if is_code else request.unit_address for name, is_code in header}
+        return BareRequest(head, message, values)
 
     return decode
 
