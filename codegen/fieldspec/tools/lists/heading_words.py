@@ -79,8 +79,8 @@ def _fits(head: str, ends: frozenset[int], word: str) -> bool:
     place = head.find(part)
     while place >= 0:
         end = place + len(part)
-        known = (place in ends, end in ends)
-        if not part.isascii() or all(known) or (any(known) and not any(place < inner < end for inner in ends)):
+        touches = (place in ends, end in ends)
+        if not part.isascii() or all(touches) or (any(touches) and not any(place < inner < end for inner in ends)):
             return True
         place = head.find(part, place + 1)
     return False

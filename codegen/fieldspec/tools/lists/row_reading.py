@@ -191,8 +191,8 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
 def _default(text: str, meanings: Meanings, decimal: str) -> Decimal | None:
     """The number of a default; that of a value where the default is its text: `Auto`, or `19200` of a rate."""
     number_text = number_in_unit(text, decimal)
-    named = [number for number, name in meanings.members if text and folded(name) == folded(text)]
-    return Decimal(named[0]) if named and number_text not in dict(meanings.members) else number_text
+    members = [number for number, name in meanings.members if text and folded(name) == folded(text)]
+    return Decimal(members[0]) if members and number_text not in dict(meanings.members) else number_text
 
 
 def _rerouted(texts: Mapping[str, str], doubts: list[str]) -> Mapping[str, str]:
