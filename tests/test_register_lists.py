@@ -15,7 +15,7 @@ import yaml
 
 from command_line import CommandLine
 from fieldspec.tools.lists.assumption import STATED_NOTHING
-from fieldspec.tools.lists.column_roles import NOTE
+from fieldspec.tools.lists.heading_words import NOTE
 from fieldspec.tools.lists.imported import imported
 from fieldspec.tools.lists.list_file import file_list
 

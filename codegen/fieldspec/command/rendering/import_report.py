@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.foundation.line_text import plural
-from fieldspec.tools.lists.column_roles import FURTHER, NOTE
+from fieldspec.tools.lists.column_roles import FURTHER
+from fieldspec.tools.lists.heading_words import NOTE
 from fieldspec.tools.lists.imported import Imported
 from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER
 from fieldspec.tools.lists.words import folded

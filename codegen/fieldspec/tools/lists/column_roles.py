@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise, product
 
 from fieldspec.foundation.classes import dataclass, field
@@ -25,28 +24,20 @@ from fieldspec.tools.lists.column_contents import (
     repeats,
     role_by_cells,
 )
+from fieldspec.tools.lists.heading_words import NOTE, heads_of, ranked
 from fieldspec.tools.lists.object_groups import GROUP
 from fieldspec.tools.lists.row_quantity import FACTORS
 from fieldspec.tools.lists.sheet import SheetRow, column_of, letters
 from fieldspec.tools.lists.type_words import typed
 from fieldspec.tools.lists.value_texts import value_meanings
-from fieldspec.tools.lists.words import folded, whole_words, words
+from fieldspec.tools.lists.words import folded, words
 
-_SHORT_WORDS = ((r"^reg(?![a-z])", "register"), (r"\badr\b", "address"), (r"\bfc\b", "function code"))
-"""Patterns of words that headings shorten, and the whole words."""
-
-_BETWEEN = re.compile(r"\s*[/|\n]\s*")
-_WORD = re.compile(r"[A-Z]+(?![^\W\d_A-Z])|[A-Z]?[^\W\d_A-Z]+|[0-9]+")
 _LONGEST = 200
-NOTE = "note"
 FURTHER = ("unit", "type", "values", "space")
 """The roles of which a row has the cell of any column: the first one with a text, and others become notes."""
 
 _NOTATIONS = ("hex", "dec", "decimal", "hexadecimal", "index", "offset", "start", "end")
 """Headings of numbers of any kind."""
-
-_ANNOTATIONS = {NOTE, "label", "values"}
-"""The roles of the second word of a heading such as `Values / Notes`."""
 
 _SHORTEST_SPACE, _SHORT_SPACES = 4, ("hr", "ir", "3x", "4x")
 """The fewest letters of an address space that heads its addresses, and the shorter names that nothing else has."""
@@ -120,20 +111,20 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         if column is None:
             return None
         places[role] = column
-    heads = [_heads(texts) for texts in parts]
+    heads = [heads_of(texts) for texts in parts]
     sample = rows[:LOOKED_AT]
     byte_columns = _byte_columns(heads, {*places.values()})
     further: dict[str, tuple[int, ...]] = {"bytes of addresses": byte_columns} if byte_columns else {}
     for role, role_words in words("headings").items():
         used_columns = _used(places, further)
-        fits = _ranked(heads, role_words, used_columns)
+        fits = ranked(heads, role_words, used_columns)
         if role == "type":
             fits = [column for column in fits if not are_no_types(sample, column)]
         if role in ("word_order", "byte_order"):
             fits = [column for column in fits if not are_ranks(sample, column)]
         own_fits = set(fits)
         if role in FURTHER or not fits:
-            fits += _ranked(heads, words("fallbacks").get(role, ()), {*used_columns, *fits})
+            fits += ranked(heads, words("fallbacks").get(role, ()), {*used_columns, *fits})
         texts = {column: [text for row in sample if (text := row.cell(column))] for column in fits}
         columns = [column for column in fits if has_role(role, texts[column], column not in own_fits)]
         if role in NOTED and not columns:
@@ -149,7 +140,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         if role == "exponent" and not columns:
             columns = [
                 column
-                for column in _ranked(heads, words("headings")["scale"], used_columns)
+                for column in ranked(heads, words("headings")["scale"], used_columns)
                 if are_exponents(sample, column)
             ]
         if role == "address" and not fits and len(set(filter(None, headings))) > 1:
@@ -159,7 +150,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
                 columns or [column for column in fits if any(address_text(row.cell(column)) for row in sample)] or fits
             )
         if role == "address" and (len(columns) > 1 or "address" in places):
-            lengths = [n for n in _ranked(heads, words("headings")["words"], set()) if are_lengths(sample, n)]
+            lengths = [n for n in ranked(heads, words("headings")["words"], set()) if are_lengths(sample, n)]
             columns = [column for column in columns if column not in lengths] or columns
             columns = [column for column in columns if not folded(headings[column]).endswith("offset")] or columns
             if not names:
@@ -174,7 +165,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
             columns = [column for column in columns if all(map(BY_CELLS[role], texts[column]))]
         if role in (*FURTHER, "address", "name", NOTE) and columns and not (role == "address" and "address" in names):
             further[role] = tuple(columns)
-    codes = _ranked([heads[column] for column in further.get("address", ())], words("codes")["printed_name"], set())
+    codes = ranked([heads[column] for column in further.get("address", ())], words("codes")["printed_name"], set())
     if codes and "printed_name" not in places:
         places["printed_name"] = further["address"][codes[0]]
         further["address"] = tuple(column for column in further["address"] if column != places["printed_name"])
@@ -184,10 +175,10 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         used_columns = _used(places, further)
         labels = [
             column
-            for column in _ranked(heads, words("headings")["address"], used_columns)
+            for column in ranked(heads, words("headings")["address"], used_columns)
             if has_role("name", [text for row in sample if (text := row.cell(column))], False)
         ]
-        labels += _ranked(heads, words("headings")["label"], {*used_columns, *labels})
+        labels += ranked(heads, words("headings")["label"], {*used_columns, *labels})
         if labels := [column for column in labels if not repeats(sample, column)] or labels[:1]:
             places["name"] = labels[0]
     if "value" in places and "values" not in places:
@@ -264,8 +255,8 @@ def _has_addresses_of(rows: Sequence[SheetRow], column: int, further_column: int
 
 def address_rank(heading: str) -> int:
     """How clearly a heading is that of addresses: 2 for one that says so, 1 for a notation of any numbers, else 0."""
-    heads = _heads([heading])
-    is_address = _space_of_heading(heading) or _ranked([heads], words("headings")["address"], set())
+    heads = heads_of([heading])
+    is_address = _space_of_heading(heading) or ranked([heads], words("headings")["address"], set())
     is_clear = set(_NOTATIONS).isdisjoint(heads) or _space_of_heading(without_brackets(heading))
     return 0 if not is_address else 2 if is_clear else 1
 
@@ -313,7 +304,7 @@ def _rising_columns(rows: Sequence[SheetRow], used_columns: set[int]) -> list[in
 
 def _byte_columns(heads: Sequence[Mapping[str, frozenset[int]]], used_columns: set[int]) -> tuple[int, ...]:
     """The columns with the high and the low byte of addresses; empty if the list has none."""
-    halves = [_ranked(heads, words("address_bytes")[half], used_columns)[:1] for half in ("high", "low")]
+    halves = [ranked(heads, words("address_bytes")[half], used_columns)[:1] for half in ("high", "low")]
     return (*halves[0], *halves[1]) if all(halves) else ()
 
 
@@ -327,72 +318,6 @@ def _with_addresses_of_bytes(
         digits = [cells[column].zfill(2) if cells[column] else "" for column in byte_columns]
         joined.append(SheetRow(row.number, (*cells, " ".join(filter(None, digits)))))
     return tuple(joined), (*headings, " ".join(headings[column] for column in byte_columns))
-
-
-def _variants(texts: Sequence[str]) -> Iterator[str]:
-    """A heading as a whole, its rows, each without what is in brackets, and what means the same in two languages."""
-    for text in (" ".join(texts), *texts):
-        yield text
-        if bare := without_brackets(text).strip():
-            yield bare
-        for pattern, word in _SHORT_WORDS:
-            if (whole := re.sub(pattern, word, text, flags=re.IGNORECASE)) != text:
-                yield whole
-        pieces = _BETWEEN.split(text)
-        roles = {whole_words().get(folded(piece)) for piece in pieces}
-        is_annotated = bool(roles) and {whole_words().get(folded(piece)) for piece in pieces[1:]} <= _ANNOTATIONS
-        if len(pieces) > 1 and (len(roles - {None}) == 1 or is_annotated) and roles != {None}:
-            yield next(piece for piece in pieces if folded(piece) in whole_words())
-
-
-def _heads(texts: Sequence[str]) -> dict[str, frozenset[int]]:
-    """The variants of a heading, folded, each with the places at which its words begin and end."""
-    return {folded(text): frozenset(_ends_of_words(text)) for text in _variants(texts)}
-
-
-def _ends_of_words(text: str) -> Iterator[int]:
-    place = 0
-    yield place
-    for word in _WORD.findall(unicodedata.normalize("NFKC", text)):
-        place += len(folded(word))
-        yield place
-
-
-def _ranked(
-    heads: Sequence[Mapping[str, frozenset[int]]], role_words: Sequence[str], used_columns: set[int]
-) -> list[int]:
-    """The columns whose headings fit a role, the likeliest first. No part counts of a heading that is another word."""
-    whole = whole_words()
-    ranked_columns: dict[int, None] = {}
-    for word in role_words:
-        for column, texts in enumerate(heads):
-            if (
-                column not in used_columns
-                and any(_fits(text, ends, word) for text, ends in texts.items())
-                and (
-                    not word.startswith("*")
-                    or whole.keys().isdisjoint(texts)
-                    or not whole.keys().isdisjoint({*texts} & {*role_words})
-                )
-            ):
-                ranked_columns.setdefault(column)
-    return list(ranked_columns)
-
-
-def _fits(head: str, ends: frozenset[int], word: str) -> bool:
-    """Whether a heading is a word, or has a part that begins or ends with a word and is not made of two: neither the
-    `values` of `My Value Slave` are one, nor the `min` of `Nominal`."""
-    if not word.startswith("*"):
-        return head == word
-    part = word[1:]
-    place = head.find(part)
-    while place >= 0:
-        end = place + len(part)
-        known = (place in ends, end in ends)
-        if not part.isascii() or all(known) or (any(known) and not any(place < inner < end for inner in ends)):
-            return True
-        place = head.find(part, place + 1)
-    return False
 
 
 def column_index(headings: Sequence[str], text: str) -> int | None:

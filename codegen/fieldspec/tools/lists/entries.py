@@ -97,10 +97,10 @@ def _space(row: ListRow) -> str:
 
 def _as_readable(row: ListRow) -> ListRow:
     """A row without the access to write where its space has none."""
-    if row.is_own or row.access == "ro" or _space(row) not in _ONLY_READ:
+    if row.access == "ro" or _space(row) not in _ONLY_READ:
         return row
     if not row.access:
-        return replace(row, access="ro")
+        return row if row.is_own else replace(row, access="ro")
     text = row.texts.get("access") or row.texts.get("writable") or row.access
     return replace(row, access="ro", doubts=(*row.doubts, f"The list says {text}, and {row.space} are only read."))
 

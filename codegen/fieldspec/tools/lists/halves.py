@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from operator import attrgetter
 
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists.assumption import Assumption
@@ -18,6 +19,7 @@ _HALF = re.compile(
 )
 _LONGEST_HALF = 30
 _LIMIT = re.compile("alarm|limit|thresh|warn|trip|grenz|schwell|limite|seuil|报警|限", re.IGNORECASE)
+_FACTS = attrgetter("space", "type", "scale", "factor", "offset", "unit", "access", "low", "high")
 _FEWEST = 2
 """The number of pairs that names of one letter need, which may stand for a high and a low limit."""
 
@@ -69,24 +71,10 @@ def _halves(first: ListRow, second: ListRow) -> bool:
         return False
     if {_half(first)[0], _half(second)[0]} != {"high", "low"} or _stem(first.names[0]) != _stem(second.names[0]):
         return False
-    facts = [
-        (
-            row.space,
-            row.words or 1,
-            row.type,
-            row.scale,
-            row.factor,
-            row.offset,
-            row.unit,
-            row.access,
-            row.low,
-            row.high,
-        )
-        for row in (first, second)
-    ]
     is_bounded = first.low is not None or first.high is not None
     is_word = first.bits is None and first.words in (None, 1) and first.type in (None, Typed("u16"), Typed("i16"))
-    return facts[0] == facts[1] and is_word and not is_bounded
+    have_equal_facts = _FACTS(first) == _FACTS(second) and (first.words or 1) == (second.words or 1)
+    return have_equal_facts and is_word and not is_bounded
 
 
 def _half(row: ListRow) -> tuple[str, bool]:

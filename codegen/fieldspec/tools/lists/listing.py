@@ -14,11 +14,12 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place, address_text
 from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
 from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign
-from fieldspec.tools.lists.column_roles import FURTHER, NOTE, Columns, headings_text
+from fieldspec.tools.lists.column_roles import FURTHER, Columns, headings_text
 from fieldspec.tools.lists.decisions import decided
 from fieldspec.tools.lists.entries import SPACES
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
 from fieldspec.tools.lists.exported_rows import OF_THE_MANUAL, exported_row, uncited
+from fieldspec.tools.lists.heading_words import NOTE
 from fieldspec.tools.lists.numbering import (
     Placed,
     assumed_areas,
@@ -81,11 +82,7 @@ class Listing:
         """The same, with the rows that are refused for their numbers, and what was assumed of further columns."""
         rows, refused = self._placed_rows(base)
         contradicting, assumptions = contradictions(self.places, base, self.columns)
-        return (
-            [row for row in rows if row.row not in contradicting],
-            [*refused, *contradicting.values()],
-            assumptions,
-        )
+        return ([row for row in rows if row.row not in contradicting], [*refused, *contradicting.values()], assumptions)
 
     def heading(self, role: str) -> str:
         """The heading of a role's column."""

@@ -16,20 +16,7 @@ _BETWEEN = re.compile(r"\s*[/|]\s*")
 
 _LONGEST = 48
 _ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth", "6th": "sixth"}
-_LATIN = {
-    "ß": "ss",
-    "æ": "ae",
-    "Æ": "AE",
-    "ø": "o",
-    "Ø": "O",
-    "ł": "l",
-    "Ł": "L",
-    "đ": "d",
-    "Đ": "D",
-    "þ": "th",
-    "\u0131": "i",
-    "∑": "sum",
-}
+_LATIN = dict(zip("ßæÆøØłŁđĐþ\u0131∑", ["ss", "ae", "AE", "o", "O", "l", "L", "d", "D", "th", "i", "sum"], strict=True))
 _ALPHABETS = re.compile(r"(?:GREEK|CYRILLIC) (?:SMALL|CAPITAL) LETTER (?:FINAL )?([A-Z]+)(?: .*)?")
 
 

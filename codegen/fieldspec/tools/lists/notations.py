@@ -42,7 +42,7 @@ def _behind_function(row_place: Place) -> Place:
 
 
 def _from_zero(row_place: Place) -> Place:
-    """The place of a number such as `3x0000` in a list where it shows that those of tables count from 0."""
+    """The place of a number such as `3x0000` in a list where it shows that tables count from 0."""
     first, last = (
         replace(end, mark="") if end is not None and end.mark == REFERENCE else end
         for end in (row_place.first, row_place.last)

@@ -32,12 +32,14 @@ _BEFORE = re.compile(
 
 _BEHIND = re.compile(r"(\S.*?)\s*([*/x\u00d7÷])\s*([0-9][0-9.,]*)")
 _LINEAR = re.compile(
-    r"\(?\s*(?:[a-z_][a-z_ ]*|\[[0-9]+\])\s*(?:([*/x\u00d7÷])\s*([0-9][0-9.,]*(?:e-?[0-9]+)?))?"
-    r"\s*\)?\s*(?:([-+])\s*([0-9][0-9.,]*))?",
+    r"\(?\s*(?:[a-z_][a-z_ ]*|\[[0-9]+\])\s*(?:(?P<sign>[*/x\u00d7÷])\s*(?P<value>[0-9][0-9.,]*(?:e-?[0-9]+)?))?"
+    r"\s*\)?\s*(?:(?P<plus>[-+])\s*(?P<added>[0-9][0-9.,]*))?",
     re.IGNORECASE,
 )
 _SHIFTED = re.compile(
-    r"\(\s*[a-z_][a-z_ ]*\s*([-+])\s*([0-9][0-9.,]*)\s*\)\s*([*/x\u00d7÷])\s*([0-9][0-9.,]*)", re.IGNORECASE
+    r"\(\s*[a-z_][a-z_ ]*\s*(?P<plus>[-+])\s*(?P<added>[0-9][0-9.,]*)\s*\)\s*(?P<sign>[*/x\u00d7÷])"
+    r"\s*(?P<value>[0-9][0-9.,]*)",
+    re.IGNORECASE,
 )
 """A formula that adds before it scales: `(x - 400) / 10`."""
 
@@ -184,20 +186,14 @@ def formula(text: str, decimal: str) -> Quantity | None:
     right = (suffix or before).strip()
     if called := _CALLED.fullmatch(right):
         right = f"x {'*' if called[1] else '/'} {called[2]}"
-    if shifted := _SHIFTED.fullmatch(right):
-        added, value = number(shifted[2], decimal), number(shifted[4], decimal)
-        if added is None or value is None or value <= 0:
-            return None
-        scale = 1 / Fraction(value) if shifted[3] in ("/", "÷") else Fraction(value)
-        offset = Fraction(added) * scale * (-1 if shifted[1] == "-" else 1)
-        exact = exact_decimal(offset)
-        return None if exact is None else Quantity(scale, "", exact)
-    linear = _LINEAR.fullmatch(right)
-    if linear is None or not (linear[1] or linear[3]):
+    shifted = _SHIFTED.fullmatch(right)
+    match = shifted or _LINEAR.fullmatch(right)
+    if match is None or not (match["sign"] or match["plus"]):
         return None
-    value = number(linear[2], decimal) if linear[1] else Decimal(1)
-    added = number(linear[4], decimal) if linear[3] else Decimal(0)
+    value, added = number(match["value"] or "1", decimal), number(match["added"] or "0", decimal)
     if value is None or added is None or value <= 0:
         return None
-    scale = 1 / Fraction(value) if linear[1] in ("/", "÷") else Fraction(value)
-    return Quantity(scale, "", -added if linear[3] == "-" else added)
+    scale = 1 / Fraction(value) if match["sign"] in ("/", "÷") else Fraction(value)
+    moved = Fraction(added) * (scale if shifted else 1)
+    offset = exact_decimal(-moved if match["plus"] == "-" else moved)
+    return None if offset is None else Quantity(scale, "", offset)

@@ -164,7 +164,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         access=_access(texts, described, doubts),
         low=low,
         high=high,
-        default=number_in_unit(texts.get("default", ""), decimal),
+        default=_default(texts.get("default", ""), meanings, decimal),
         const=number(texts.get("const", ""), decimal),
         count=count if 1 <= count <= _HIGHEST_COUNT else 1,
         stride=max(whole(texts.get("stride", "")) or 0, 0),
@@ -186,6 +186,13 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         described=tuple(described),
         doubts=(*doubts, *(f"{heading} in the list: {text}." for heading, text in row.notes)),
     )
+
+
+def _default(text: str, meanings: Meanings, decimal: str) -> Decimal | None:
+    """The number of a default; that of a value where the default is its text: `Auto`, or `19200` of a rate."""
+    number_text = number_in_unit(text, decimal)
+    members = [number for number, name in meanings.members if text and folded(name) == folded(text)]
+    return Decimal(members[0]) if members and number_text not in dict(meanings.members) else number_text
 
 
 def _rerouted(texts: Mapping[str, str], doubts: list[str]) -> Mapping[str, str]:

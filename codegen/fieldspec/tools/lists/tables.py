@@ -68,6 +68,7 @@ def columns(sheet: Sheet, names: Mapping[str, str]) -> Columns:
         best = _without_heading(sheet, names)
     if "address" not in names:
         _refuse_identifiers(best)
+        _refuse_neighbours(sheet.rows[:_HEADED_BY])
     if not best.rows:
         raise ListError("has a heading and no rows")
     if names:
@@ -101,6 +102,17 @@ def _refuse_identifiers(table: Columns) -> None:
             f"has messages of a CAN bus, with identifiers under {heading}, and not addresses of registers; import its "
             "DBC, or name the column of registers with --address"
         )
+
+
+def _refuse_neighbours(rows: Sequence[SheetRow]) -> None:
+    """Raises ListError for two tables side by side, whose headings stand twice in a row."""
+    for row in rows:
+        heads = [folded(cell) for cell in row.cells if cell]
+        half = len(heads) // 2
+        if half > 1 and heads[:half] == heads[half:] and "address" in map(whole_words().get, heads):
+            raise ListError(
+                f"has two tables side by side, with the headings {headings_text(row.cells)}; give each a sheet"
+            )
 
 
 def _marked_tables(sheet: Sheet, names: Mapping[str, str]) -> Columns | None:

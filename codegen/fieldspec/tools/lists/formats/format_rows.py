@@ -9,7 +9,8 @@ from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.foundation.spreadsheet import clean
 from fieldspec.tools.lists.addresses import DECIMAL, AddressText, Place
 from fieldspec.tools.lists.assumption import Assumption, Refusal
-from fieldspec.tools.lists.column_roles import NOTE, Columns
+from fieldspec.tools.lists.column_roles import Columns
+from fieldspec.tools.lists.heading_words import NOTE
 from fieldspec.tools.lists.listing import Listing
 from fieldspec.tools.lists.numbering import Placed
 from fieldspec.tools.lists.row_reading import ListRow

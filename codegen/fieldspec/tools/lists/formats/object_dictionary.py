@@ -171,12 +171,7 @@ def _cells(section: _Section) -> dict[str, str]:
 
 
 def _add_object(
-    rows: FormatRows,
-    eds: Any,
-    number: int,
-    group: Sequence[_Section],
-    types: Mapping[str, _Section],
-    node: int | None,
+    rows: FormatRows, eds: Any, number: int, group: Sequence[_Section], types: Mapping[str, _Section], node: int | None
 ) -> None:
     """Adds an object and its elements."""
     head, *parts = sorted(group, key=lambda section: len(section.name))

@@ -16,15 +16,7 @@ from fieldspec.language.reading.nodes import Mapping, Node, Scalar
 from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.cells import functions
 from fieldspec.tools.lists.formats.format_rows import FormatRows
-from fieldspec.tools.lists.formats.yaml_items import (
-    cells_of,
-    items,
-    line_of,
-    number_of,
-    numbers_of,
-    text_of,
-    whole_of,
-)
+from fieldspec.tools.lists.formats.yaml_items import cells_of, items, line_of, number_of, numbers_of, text_of, whole_of
 from fieldspec.tools.lists.item import REGISTERS
 from fieldspec.tools.lists.listing import Listing
 from fieldspec.tools.lists.quantities import exact_decimal
