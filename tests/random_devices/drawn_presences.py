@@ -47,13 +47,16 @@ def continued_list(draft: Draft, presence: Spec | None) -> Spec:
     return {**decider, **keys, "more_if": draft.pick(more_ways(draft, ways))}
 
 
+def count_type(draft: Draft, kinds: tuple[str, ...]) -> Spec:
+    """The type of a number of elements or bytes, or the digits that it is sent as."""
+    return draft.pick(COUNT_DIGITS)[0] if draft.digits(15) else {"type": draft.pick(kinds)}
+
+
 def list_counter(draft: Draft, repeated: Spec, measure: Spec, kinds: tuple[str, ...]) -> Spec:
     """A field that counts a list, or a text of varying length: as a whole, or now and then in some of its bits."""
     kind = draft.pick(kinds)
-    if draft.digits(10):
-        return draft.fact(**draft.pick(COUNT_DIGITS)[0], measures=measure)
     if not draft.chance(30):
-        return draft.fact(type=kind, measures=measure)
+        return draft.fact(**count_type(draft, (kind,)), measures=measure)
     has_bytes = "bytes" in measure and "record" not in repeated
     size = size_of(repeated) if has_bytes and "varies" not in repeated else 1
     plus = {key: own for key, own in measure.items() if key == "plus"}

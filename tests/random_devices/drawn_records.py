@@ -6,21 +6,14 @@ from random_devices.draft import BOUNDS, Draft, RecordDraft, Spec
 from random_devices.drawn_choices import choice_counter, closed_enums, deciding_fields
 from random_devices.drawn_presences import (
     continued_list,
+    count_type,
     list_counter,
     more_ways,
     optional_field,
     presence_decider,
     text_counter,
 )
-from random_devices.drawn_values import (
-    COUNT_DIGITS,
-    packed_list,
-    short_field,
-    size_of,
-    value,
-    varying_text,
-    varying_value,
-)
+from random_devices.drawn_values import packed_list, short_field, size_of, value, varying_text, varying_value
 
 
 def records(draft: Draft) -> list[Spec]:
@@ -334,7 +327,7 @@ def _counting(draft: Draft, fields: list[Spec]) -> list[Spec]:
     if not countable:
         return fields
     other = draft.pick(countable)
-    sent = draft.pick(COUNT_DIGITS)[0] if draft.digits(15) else {"type": draft.pick(("u16", "u8"))}
+    sent = count_type(draft, ("u16", "u8"))
     return _inserted(draft, fields, draft.fact(**sent, measures=_measure(draft, other)))
 
 
