@@ -33,7 +33,7 @@ def devices(folder: Path) -> list[Device]:
 def findings(device: Device, facts: Iterable[tuple[Fact, tuple[object, ...]]]) -> list[Diagnostic]:
     """The findings of the checks where some facts are settled."""
     settled._OPEN.clear()
-    table._PASSED.clear()
+    table._VERDICTS.clear()
     settled._SETTLED = ByIdentity()
     for fact, relatives in facts:
         settled._SETTLED[fact] = relatives
@@ -47,7 +47,7 @@ def test_findings_in_a_fact_are_the_same_where_all_others_are_settled(
     monkeypatch.setattr(settled, "_SETTLED", settled._SETTLED)
     for device in devices(folder):
         expected = findings(device, ())
-        everything = settled._OpenFacts(device)
+        everything = settled.OpenFacts(device)
         facts = [*everything.words, *((fact, relatives) for fact, _, relatives in everything.values)]
         elsewhere = findings(device, facts)
         single = [
@@ -68,18 +68,23 @@ def test_a_fact_with_a_finding_is_judged_again(monkeypatch: pytest.MonkeyPatch) 
         assert table.run(device) == first
 
 
-def test_a_check_that_found_nothing_runs_again_only_where_something_that_it_has_read_differs(
+def test_a_check_runs_again_only_where_what_it_has_read_differs_or_its_findings_have_moved(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     runs: list[str] = []
 
     def limits_ordered(device: Device) -> Iterator[Diagnostic]:
         runs.append(device.title)
-        yield from ()
+        if device.title:
+            yield Diagnostic("limits_ordered", device.title, device.place.whole)
 
-    monkeypatch.setattr(table, "_PASSED", {})
+    monkeypatch.setattr(table, "_VERDICTS", {})
     monkeypatch.setitem(table._BY_NAME, "limits_ordered", limits_ordered)
     (device,) = devices(next(folder for folder in CASES if folder.name == "passing"))
-    copies = [device, replace(device, doc="Another"), replace(device, title="Another"), device]
-    assert [table.run_named(copy, "limits_ordered") for copy in copies] == [[], [], [], []]
+    titled = replace(device, title="Another")
+    copies = [device, replace(device, doc="Another"), titled, replace(titled, doc="Another"), device]
+    assert [len(table.run_named(copy, "limits_ordered")) for copy in copies] == [0, 0, 1, 1, 0]
     assert runs == [device.title, "Another"]
+    device.place.whole.file.past = True
+    assert [len(table.run_named(copy, "limits_ordered")) for copy in copies] == [0, 0, 1, 1, 0]
+    assert runs == [device.title, *["Another"] * 3]

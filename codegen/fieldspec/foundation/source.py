@@ -31,13 +31,17 @@ class Refused(bytes):
         return refused
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(slots=True, eq=False)
 class SourceFile:
-    """A text and the path by which users know it, with forward slashes."""
+    """A text and the path by which users know it, with forward slashes.
+
+    It is `past` when the file was read again, and the nodes of what has not changed were moved to their new places.
+    """
 
     path: str
     text: str = field(repr=False)
     _line_starts: list[int] = field(default_factory=list, repr=False)
+    past: bool = field(default=False, repr=False)
 
     def line_starts(self) -> list[int]:
         """Offsets of the first character of every line."""

@@ -53,3 +53,9 @@ def in_order(findings: Iterable[Diagnostic]) -> list[Diagnostic]:
 def has_errors(findings: Iterable[Diagnostic]) -> bool:
     """Whether any finding is an error."""
     return any(d.severity is Severity.ERROR for d in findings)
+
+
+def are_in_place(findings: Iterable[Diagnostic]) -> bool:
+    """Whether no file that findings are in was read again after they were found."""
+    spans = (span for finding in findings for span in (finding.span, *(label.span for label in finding.labels)))
+    return not any(span.file.past for span in spans)

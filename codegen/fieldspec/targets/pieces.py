@@ -48,6 +48,7 @@ class Pieces:
         self._remembered = remembered
         self._pieces: dict[Hashable, tuple[tuple[object, ...], RequestedNames, Any]] = {}
         self._versions: dict[tuple[str, str, str], tuple[Hashable, DeviceLayout, Any]] = {}
+        self._latest: dict[Hashable, tuple[bytes, Any]] = {}
 
     def of_version(
         self, kind: str, layout: DeviceLayout, words: Hashable, make: Callable[[DeviceLayout], Result]
@@ -63,6 +64,17 @@ class Pieces:
         reading = observed_layout(layout)
         result = make(reading)
         self._versions[key] = words, reading, result
+        return result
+
+    def latest(self, kind: Hashable, data: object, make: Callable[[], Result]) -> Result:
+        """The last piece of a kind if it was made of equal data, or else what `make` gives."""
+        if not self._remembered:
+            return make()
+        content = marshal.dumps(data, _CONTENT)  # type: ignore[arg-type]
+        remembered = self._latest.get(kind)
+        if remembered is None or remembered[0] != content:
+            self._latest[kind] = remembered = content, make()
+        result: Result = remembered[1]
         return result
 
     def taken(
@@ -145,3 +157,8 @@ def content_piece(kind: str, data: object, words: tuple[Hashable, ...], make: Ca
     except ValueError:
         return make()
     return _at_hand[0].taken(kind, (), (content, *words), None, make)
+
+
+def latest_piece(kind: Hashable, data: object, make: Callable[[], Result]) -> Result:
+    """The result of `make`, which depends only on plain data. The last one of a kind is remembered."""
+    return _at_hand[0].latest(kind, data, make) if _at_hand else make()

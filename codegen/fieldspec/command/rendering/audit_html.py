@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -18,6 +20,7 @@ from fieldspec.language.model.fact import Citation
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.targets import PageLink
 from fieldspec.targets.docs.site import SCRIPTS, PagePlace, device_place, policy
+from fieldspec.targets.pieces import latest_piece
 from fieldspec.targets.templates import fill, style_sheet
 from fieldspec.tools.audit.manual_lines import ManualIndex
 from fieldspec.tools.audit.report import report
@@ -47,20 +50,15 @@ class _Column:
 
 @dataclass(frozen=True, slots=True)
 class _Table:
-    """A table with the columns that are not empty. A row is its mark, and its cells as column, form and text.
-
-    The form is `text`, `place`, `source`, or the link to where the fact that the cell names is documented.
-    """
+    """A table as it is printed, its entry in the list of contents, and the widths of its columns."""
 
     anchor: str
     title: str
     entry: str
     size: str
     is_open: bool
-    is_marked: bool
-    columns: tuple[_Column, ...]
     widths: tuple[str, ...]
-    rows: tuple[tuple[str, tuple[tuple[_Column, str, str], ...]], ...]
+    text: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +102,8 @@ def rendered(report: Report, device: Device, links: Mapping[str, str], place: Pa
 
     `place` is that of the page among the documentation; none where it stands alone.
     """
-    sections = [_section(section, links) for section in report.sections]
+    linked = device.id, hashlib.sha256(json.dumps([*links.items()]).encode()).hexdigest()
+    sections = [_section(section, links, linked) for section in report.sections]
     findings = [finding for section in report.sections for finding in _findings(section)]
     style = style_sheet("targets/page.css", "command/rendering/audit.css") + _width_rules(sections)
     return fill(
@@ -124,7 +123,7 @@ def rendered(report: Report, device: Device, links: Mapping[str, str], place: Pa
     )
 
 
-def _section(section: Section, links: Mapping[str, str]) -> _Section:
+def _section(section: Section, links: Mapping[str, str], linked: tuple[str, str]) -> _Section:
     return _Section(
         section.name,
         section.title,
@@ -135,7 +134,7 @@ def _section(section: Section, links: Mapping[str, str]) -> _Section:
         maps(section.spaces),
         *(
             tuple(
-                _table(section.name, table, links)
+                _table(section.name, table, links, linked)
                 for table in section.tables
                 if table.rows and table.detail is are_details
             )
@@ -144,31 +143,51 @@ def _section(section: Section, links: Mapping[str, str]) -> _Section:
     )
 
 
-def _table(section: str, table: SectionTable, links: Mapping[str, str]) -> _Table:
+def _table(section: str, table: SectionTable, links: Mapping[str, str], linked: tuple[str, str]) -> _Table:
+    """A table. `linked` is the device, and a hash of the links."""
+    device, links_hash = linked
+    anchor = f"{section}-{table.name}"
+    data = (links_hash, table.title, table.columns, table.kinds, [[*map(_cell_data, row)] for row in table.rows])
+    return latest_piece(("audit table", device, anchor), data, lambda: _printed(anchor, table, links))
+
+
+def _cell_data(cell: Cell) -> object:
+    """A cell as plain data."""
+    return cell if cell is None or isinstance(cell, str | int) else (_form(cell, {}), cell_text(cell))
+
+
+def _printed(anchor: str, table: SectionTable, links: Mapping[str, str]) -> _Table:
+    """A table with the columns that are not empty. A row is its mark, and its cells as column, form and text.
+
+    The form is `text`, `place`, `source`, or the link to where the fact that the cell names is documented.
+    """
     full = [number for number in range(len(table.columns)) if any(row[number] not in (None, "") for row in table.rows)]
     columns = tuple(_column(table, number) for number in full)
     kinds = table.kinds or ("",) * len(table.rows)
     is_marked = any(table.kinds)
-    return _Table(
-        f"{section}-{table.name}",
-        clean(table.title),
-        clean(table.title.partition(". ")[0]),
-        plural(len(table.rows), "row"),
-        len(table.rows) <= OPEN,
-        is_marked,
-        columns,
-        _column_widths(columns, is_marked) if len(full) >= BROAD else (),
-        tuple(
-            (
-                kinds[number],
-                tuple(
-                    (column, _form(row[place], links), column.texts[number])
-                    for column, place in zip(columns, full, strict=True)
-                ),
-            )
-            for number, row in enumerate(table.rows)
-        ),
+    widths = _column_widths(columns, is_marked) if len(full) >= BROAD else ()
+    rows = [
+        (
+            kinds[number],
+            [
+                (column, _form(row[place], links), column.texts[number])
+                for column, place in zip(columns, full, strict=True)
+            ],
+        )
+        for number, row in enumerate(table.rows)
+    ]
+    text = fill(
+        "audit_table.html.j2",
+        anchor=anchor,
+        title=clean(table.title),
+        widths=widths,
+        is_marked=is_marked,
+        columns=columns,
+        rows=rows,
+        signs=SIGNS,
     )
+    size, is_open = plural(len(table.rows), "row"), len(table.rows) <= OPEN
+    return _Table(anchor, clean(table.title), clean(table.title.partition(". ")[0]), size, is_open, widths, text)
 
 
 def _column(table: SectionTable, number: int) -> _Column:

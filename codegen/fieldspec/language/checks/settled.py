@@ -23,8 +23,11 @@ _SETTLED: ByIdentity[Fact, _Relatives] = ByIdentity(limit=20_000)
 """The settled facts, with the enums and words that they name."""
 
 
-class _OpenFacts:
+class OpenFacts:
     """The facts of a device that are not settled, with what they name, and those in which a check finds something."""
+
+    verdicts_of_wrong = 0
+    """How often a check of single facts has found something."""
 
     def __init__(self, device: Device) -> None:
         enums = {name: tuple(device.enums.get(bit.enum) for bit in word.bits) for name, word in device.flags.items()}
@@ -49,18 +52,19 @@ class _OpenFacts:
         result = [*findings]
         if result:
             self.wrong.add(id(fact))
+            OpenFacts.verdicts_of_wrong += 1
         return result
 
 
-_OPEN: dict[ObjectsKey, _OpenFacts] = {}
+_OPEN: dict[ObjectsKey, OpenFacts] = {}
 """Those of the last device: many checks in a row ask for them."""
 
 
-def _open_facts(device: Device) -> _OpenFacts:
+def _open_facts(device: Device) -> OpenFacts:
     key = ObjectsKey((device.enums, device.flags, values(device)))
     if key not in _OPEN:
         _OPEN.clear()
-        _OPEN[key] = _OpenFacts(device)
+        _OPEN[key] = OpenFacts(device)
     return _OPEN[key]
 
 

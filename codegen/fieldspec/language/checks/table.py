@@ -12,8 +12,8 @@ from fieldspec.foundation.caches import ObjectsKey
 from fieldspec.foundation.observation import observed, read_attributes
 from fieldspec.language.checks.allowances_used import allowances_used
 from fieldspec.language.checks.finding import Allowance, Check, Coverage, allowances
-from fieldspec.language.checks.settled import settle
-from fieldspec.language.diagnostics import Diagnostic, in_order
+from fieldspec.language.checks.settled import OpenFacts, settle
+from fieldspec.language.diagnostics import Diagnostic, are_in_place, in_order
 from fieldspec.language.model.device import Device
 
 _NAMES = (
@@ -154,10 +154,10 @@ INSTALLED: dict[str, Check] = {}
 """The checks of installed packages, by their codes; `command` adds them."""
 
 
-_PASSED: dict[Check, dict[tuple[str, ...], dict[ObjectsKey, None]]] = {}
-"""By check, the attributes of devices that it has read, and their values where it has found nothing."""
+_VERDICTS: dict[Check, dict[tuple[str, ...], dict[ObjectsKey, list[Diagnostic]]]] = {}
+"""By check, the attributes of devices that it has read, and what it has found in their values."""
 
-MOST_PASSED = 100
+MOST_VERDICTS = 100
 """How many values of the same attributes stay."""
 
 
@@ -185,25 +185,30 @@ def run_named(device: Device, name: str) -> list[Diagnostic]:
 
 
 def _findings(device: Device, name: str) -> Iterator[Diagnostic]:
-    """The findings of a check. It does not run where it has found nothing in the same objects before."""
+    """The findings of a check. It does not run where it has judged the same objects before."""
     if name in INSTALLED:
         yield from INSTALLED[name](device)
         return
     check = _BY_NAME[name]
-    passed = _PASSED.setdefault(check, {})
-    if any(_values(device, attributes) in values for attributes, values in passed.items()):
-        return
+    verdicts = _VERDICTS.setdefault(check, {})
+    for attributes, by_values in verdicts.items():
+        remembered = by_values.get(_values(device, attributes))
+        if remembered is not None and are_in_place(remembered):
+            yield from remembered
+            return
     reading = observed(device)
-    count = 0
-    for count, finding in enumerate(check(reading), 1):  # noqa: B007
+    findings: list[Diagnostic] = []
+    wrong_before = OpenFacts.verdicts_of_wrong
+    for finding in check(reading):
+        findings.append(finding)
         yield finding
-    if count:
-        return
+    if OpenFacts.verdicts_of_wrong != wrong_before:
+        return  # so that no check settles them
     attributes = tuple(read_attributes(reading))
-    values = passed.setdefault(attributes, {})
-    if len(values) == MOST_PASSED:
-        del values[next(iter(values))]
-    values[_values(device, attributes)] = None
+    by_values = verdicts.setdefault(attributes, {})
+    if len(by_values) >= MOST_VERDICTS:
+        del by_values[next(iter(by_values))]
+    by_values[_values(device, attributes)] = findings
 
 
 def _values(device: Device, attributes: Iterable[str]) -> ObjectsKey:

@@ -88,6 +88,7 @@ def file_read(path: str, data: bytes, earlier: FileRead | None) -> FileRead:
     if before is not None and file.path == before.file.path:
         tree = revised(file, before)
         if tree is not None:
+            before.file.past = True
             return FileRead(data, file, [], [], tree)
     node, findings = parsed(file)
     if node is None and not findings:
@@ -97,5 +98,7 @@ def file_read(path: str, data: bytes, earlier: FileRead | None) -> FileRead:
         result, type_findings = typed(node)
         findings += type_findings
         if isinstance(result, Mapping) and not findings:
+            if before is not None:
+                before.file.past = True
             return FileRead(data, file, [], [], with_unchanged(result, before))
     return FileRead(data, file, [], findings, before)

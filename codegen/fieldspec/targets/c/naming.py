@@ -36,6 +36,7 @@ _TAKEN = (
     *(f"{sign}int{kind}{bits}_t" for sign in ("", "u") for kind in ("", "_fast", "_least") for bits in (8, 16, 32, 64)),
     *(f"{sign}int{bits}_{end}" for sign in ("", "u") for bits in (8, 16, 32, 64, "ptr") for end in ("t", "max", "min")),
 )
+_TAKEN_WORDS = frozenset(word for name in _TAKEN for word in (name, name.upper()))
 
 _OWN = {
     *("unit_address", "code", "in", "out", "length", "capacity", "body_length"),
@@ -59,7 +60,7 @@ class Naming:
 
     def __init__(self, device: str) -> None:
         self.device = Name.of(device)
-        self._taken = {word for name in _TAKEN for word in (name, name.upper())}
+        self._taken = {*_TAKEN_WORDS}
         self._given: dict[str, str] = {}
         self._stems: dict[tuple[Noun, tuple[str, ...]], Name] = {}
         self._statuses: dict[str, Identifier] = {}
@@ -81,13 +82,14 @@ class Naming:
         """Gives the same names again, all or none."""
         assert self._noted is None
         earlier, new = requested_names
-        names = new.values()
-        if not (earlier.items() <= self._given.items() and self._taken.isdisjoint(names)) or not _NUMBERED.isdisjoint(
-            names
-        ):
+        if not (earlier.items() <= self._given.items() and _NUMBERED.isdisjoint(new.values())):
+            return False
+        count = len(self._taken)
+        self._taken.update(new.values())
+        if len(self._taken) != count + len(new):  # one of them has been taken before
+            self._taken = {*_TAKEN_WORDS, *self._given.values()}
             return False
         self._given.update(new)
-        self._taken.update(names)
         return True
 
     def type(self, noun: Noun, *parts: str) -> str:

@@ -8,7 +8,7 @@ from typing import TypeVar, cast
 from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import replace
 from fieldspec.foundation.source import Span
-from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.diagnostics import Diagnostic, Label, are_in_place
 from fieldspec.language.model.address_space import WORDS, AddressSpace
 from fieldspec.language.model.device import Detection, Device, Manual, Version, VersionLine
 from fieldspec.language.model.fact import Place
@@ -111,8 +111,11 @@ def _by_name(
     sections = reused.setdefault((section, "whole", *dependencies), ByIdentity())
     same = reused.setdefault((section, *dependencies), ByIdentity())
     if sequence in sections:
-        return cast("dict[str, Item]", sections[sequence])
-    items: dict[str, Item] = {}
+        items, findings = cast("tuple[dict[str, Item], list[Diagnostic]]", sections[sequence])
+        if are_in_place(findings):
+            root.findings += findings
+            return items
+    items = {}
     first: dict[str, Mapping] = {}
     before = len(root.findings)
     for item in mappings(sequence):
@@ -129,8 +132,7 @@ def _by_name(
             first[key], items[key] = item, build(Entry(item, f"{section}/{key}", root.findings))
             if len(root.findings) == quiet:  # a finding is for every version
                 same[item] = items[key]
-    if len(root.findings) == before:
-        sections[sequence] = items
+    sections[sequence] = items, root.findings[before:]
     return items
 
 
