@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.command.builds.freshness import digest
 from fieldspec.command.rendering.audit_formats import SIGNS, cell_text
 from fieldspec.command.rendering.audit_map import Map, maps, states
 from fieldspec.foundation.classes import dataclass
@@ -102,7 +102,7 @@ def rendered(report: Report, device: Device, links: Mapping[str, str], place: Pa
 
     `place` is that of the page among the documentation; none where it stands alone.
     """
-    linked = device.id, digest(json.dumps([*links.items()]).encode())
+    linked = device.id, hashlib.sha256(json.dumps([*links.items()]).encode()).hexdigest()
     sections = [_section(section, links, linked) for section in report.sections]
     findings = [finding for section in report.sections for finding in _findings(section)]
     style = style_sheet("targets/page.css", "command/rendering/audit.css") + _width_rules(sections)
