@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from fieldspec.cli import main
-from fieldspec.command.sources import layout_cache
+from fieldspec.command.sources import layout_cache, specs
 
 SPECS = Path(__file__).resolve().parent.parent / "specs"
 TEST_SPECS = Path(__file__).resolve().parent / "specs"
@@ -47,4 +47,10 @@ class CommandLine:
         return json.loads(self(*arguments, "--format", "json", stdin=stdin).out)
 
 
-_layout = cache(layout_cache.layout)
+_layout, _sound_at = cache(layout_cache.layout), cache(specs.sound_at)
+
+
+def read_devices_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Has verbs read each layout and each sound spec once. The specs of a folder must stay as they are."""
+    monkeypatch.setattr(layout_cache, "layout", _layout)
+    monkeypatch.setattr(specs, "sound_at", _sound_at)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from command_line import read_devices_once
 from fieldspec.cli import main
 from layouts import TEST_SPECS
 
@@ -13,6 +14,11 @@ SPECS = str(Path(__file__).resolve().parent.parent / "specs")
 WRITE = ["encode", "tc100", "write_registers", "station=1", "address=0x2014"]
 LIVE = ["live", "tc100", "read", "alarm", "--port", "tcp://127.0.0.1:9"]
 WATCH = ["live", "tc100", "watch", "alarm", "--port", "tcp://127.0.0.1:9"]
+
+
+@pytest.fixture(autouse=True)
+def devices_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    read_devices_once(monkeypatch)
 
 
 @pytest.mark.parametrize(
