@@ -137,8 +137,9 @@ def _parser() -> argparse.ArgumentParser:
         default=[],
         metavar="MESSAGE NAME=VALUE",
         help="a message, or `write` with registers or parameters; a value is a raw value, a quantity such as 20.00mm "
-        "(without a unit: 2.0, with a decimal point), or the name of an enum member or bit; a list is 1,2,3, an empty "
-        "list points=[], a member point.x=1, a member of a record in a list points.0.x=1 or points[0].x=1",
+        "(without a unit: 2.0, with a decimal point), or the name of an enum member or bit; bits are "
+        "status=on,mode=auto or status.mode=auto; a list is 1,2,3, an empty list points=[], a member point.x=1, a "
+        "member of a record in a list points.0.x=1 or points[0].x=1",
     )
     add_frame_options(encode, f"{direction_names} (default: request)", "the message, instead of MESSAGE")
     encode.add_argument(

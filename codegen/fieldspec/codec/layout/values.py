@@ -154,6 +154,8 @@ def raw_value(device: Device, path: str, value: Value, entered: object) -> Raw:
 def _raw_number(device: Device, path: str, value: Value | None, entered: Any) -> Raw:
     """The raw value for a value that a person enters."""
     assert value is not None
+    if isinstance(entered, dict) and value.flags:
+        entered = [f"{name}={int(own) if isinstance(own, bool) else own}" for name, own in entered.items()]
     if isinstance(entered, dict) or (isinstance(entered, list) and not value.flags):
         raise MeaningError(path, "one value is expected, and neither members nor a list")
     if value.flags and isinstance(entered, list | str) and not _is_count(entered):
