@@ -193,3 +193,10 @@ def test_digits_tell_messages_apart_and_count_lists() -> None:
             with pytest.raises((CodecError, codec_error())) as refused:
                 decode()
             assert refused.value.reason == reason
+
+
+def test_a_size_in_digits_leaves_the_end_of_a_frame_to_silence() -> None:
+    module = module_apart(device_layout(gadget(AS_DIGITS).at("")[0]), "framed_digits")
+    framer, halt = module.line.response_framer(), b"\x088012" + bytes(12)
+    assert framer.feed(halt) == []
+    assert framer.idle() == [halt]

@@ -25,6 +25,7 @@ CLIENTS = {
     "ck10": ["rtu", "ascii"],
     "tc100": ["rtu", "ascii"],
     "caller": ["bus"],
+    "ladder": ["bus"],
     "inverter": ["rtu", "tcp"],
     "meter": ["rtu"],
     "station": ["rtu", "ascii", "tcp"],

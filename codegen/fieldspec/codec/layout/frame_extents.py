@@ -130,8 +130,9 @@ def _by_count(frame: FrameLayout, count: FieldLayout, length: int, unit: int) ->
 
 
 def _measures(count: FieldLayout, tail: FieldLayout) -> bool:
-    measures = count.field.measures
-    return measures is not None and measures.field == tail.name
+    """Whether a field counts another one as a binary number: framers convert no digits."""
+    measures, value = count.field.measures, count.value
+    return measures is not None and measures.field == tail.name and value is not None and not value.digits
 
 
 def _may_contain(frame: FrameLayout, record: RecordLayout, byte: int) -> bool:

@@ -102,8 +102,9 @@ def _is_apart(field: FieldLayout, end: int) -> bool:
 
 
 def _measuring(record: RecordLayout, tail: FieldLayout) -> list[FieldLayout]:
-    """The fields that count the list at the end of a record."""
-    return [field for field in record.fields if (m := field.field.measures) is not None and m.field == tail.name]
+    """The fields that count the list at the end of a record as binary numbers; digits do not tell where a frame ends."""
+    counting = [field for field in record.fields if (m := field.field.measures) is not None and m.field == tail.name]
+    return [field for field in counting if field.value is not None and not field.value.digits]
 
 
 def _count(shape: FrameLayout, field: FieldLayout) -> Count:
