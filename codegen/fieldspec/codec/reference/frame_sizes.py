@@ -102,7 +102,7 @@ def _is_apart(field: FieldLayout, end: int) -> bool:
 
 
 def _measuring(record: RecordLayout, tail: FieldLayout) -> list[FieldLayout]:
-    """The fields that count the list at the end of a record as binary numbers; digits do not tell where a frame ends."""
+    """The fields that count the list at the end of a record as binary numbers: framers convert no digits."""
     counting = [field for field in record.fields if (m := field.field.measures) is not None and m.field == tail.name]
     return [field for field in counting if field.value is not None and not field.value.digits]
 
