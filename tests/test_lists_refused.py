@@ -296,6 +296,18 @@ def test_a_text_that_is_merged_over_rows_counts_for_each_of_them(run: CommandLin
     assert "at: 0x2001, name: a_2001," in ran.out
 
 
+def test_a_number_that_a_workbook_shows_with_an_exponent_is_no_address(run: CommandLine, tmp_path: Path) -> None:
+    def typed_as_digits(workbook: openpyxl.Workbook) -> None:
+        cell("A3", 1200)(workbook)
+        workbook.worksheets[0]["A3"].number_format = "0.00E+00"
+
+    path = tmp_path / "list.xlsx"
+    path.write_bytes(book(typed_as_digits))
+    ran = run("import", str(path), "--to", "-")
+    assert ran.code == 0
+    assert "not used: row 3, Address `1.2E+3`: has an exponent" in ran.err
+
+
 LIKELY = st.text(alphabet="Adres,;|\t\n\"'0x12hH=-~[]{}:地址", max_size=80).map(str.encode)
 
 

@@ -90,7 +90,10 @@ def functions(text: str) -> Functions | None:
 
 
 def space(text: str) -> str:
-    """The address space that a text names, perhaps in two languages or notations: `线圈 COIL`, `Coil (0x)`."""
+    """The address space that a text names, perhaps in two languages or notations: `线圈 COIL`, `Coil (0x)`; empty for a
+    text with `°C`."""
+    if "°" in text:
+        return ""
     bare = without_brackets(text)
     ending = " ".join(_PARTS.split(bare.strip())[-2:])
     for stated in (text, bare, _VERB.sub("", folded(bare), count=1), bare.partition("_")[2], ending):

@@ -24,7 +24,7 @@ from fieldspec.tools.lists.column_contents import (
     repeats,
     role_by_cells,
 )
-from fieldspec.tools.lists.heading_words import NOTE, heads_of, ranked
+from fieldspec.tools.lists.heading_words import NOTE, heads_of, is_of_station, ranked
 from fieldspec.tools.lists.object_groups import GROUP
 from fieldspec.tools.lists.row_quantity import FACTORS
 from fieldspec.tools.lists.sheet import SheetRow, column_of, letters
@@ -152,6 +152,12 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         if role == "address" and (len(columns) > 1 or "address" in places):
             lengths = [n for n in ranked(heads, words("headings")["words"], set()) if are_lengths(sample, n)]
             columns = [column for column in columns if column not in lengths] or columns
+            columns = [
+                column
+                for column in columns
+                if not is_of_station(headings[column])
+                and (len(sample) == 1 or len({row.cell(column) for row in sample}) > 1)
+            ] or columns
             columns = [column for column in columns if not folded(headings[column]).endswith("offset")] or columns
             if not names:
                 main = [places["address"]] if "address" in places else columns[:1]

@@ -34,7 +34,7 @@ from fieldspec.tools.lists.numbering import (
 from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_subindices_apart
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
 from fieldspec.tools.lists.row_reading import Cells, ListRow, read_row
-from fieldspec.tools.lists.row_spaces import titled_order, titles, with_spaces
+from fieldspec.tools.lists.row_spaces import stated_numbering, titled_order, titles, with_spaces
 from fieldspec.tools.lists.shapes import BIT, with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns, without_numbers
@@ -115,6 +115,11 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     """The list in a sheet. `names` has the columns of some roles. Raises ListError if the sheet is not a list."""
     sheet = without_numbers(sheet)
     columns_of_sheet = columns(with_subindices_apart(sheet), names)
+    if not names and {*columns_of_sheet.places} <= {"address", "space"} and len(columns_of_sheet.unused()) > 1:
+        raise ListError(
+            f"has addresses under {columns_of_sheet.heading('address')}, and no other column that is understood "
+            f"({headings_text(columns_of_sheet.headings)}); name the column of addresses with --address"
+        )
     first_row = columns_of_sheet.rows[0].number
     own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
     refused: list[Refusal] = []
@@ -154,7 +159,9 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     reason = "has cells that do not stand under the headings"
     refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
-    order = options.order or titled_order(sheet, {row.number for row, _ in places.rows}, assumptions)
+    numbers = {row.number for row, _ in places.rows}
+    assumptions += [] if own else stated_numbering(sheet, numbers)
+    order = options.order or titled_order(sheet, numbers, assumptions)
     further = _further_cells(columns_of_sheet, places, assumptions)
     read = []
     for sheet_row, row_place in places.rows:

@@ -45,7 +45,7 @@ class Sheet:
     names of further sheets with cells, `joined` the names of the sheets that form this sheet, `encoding` that of a text
     where it was guessed, `shifted` the rows whose cells do not stand under the headings, `heads` the rows that the file
     marks as headings. `format` is that of another program, empty for a table, `beside` the contents of the
-    file that are not part of the list.
+    file that are not part of the list, `orders` its settings of orders of bytes and words.
     """
 
     rows: tuple[SheetRow, ...]
@@ -59,6 +59,7 @@ class Sheet:
     heads: frozenset[int] = frozenset()
     format: str = ""
     beside: tuple[str, ...] = ()
+    orders: tuple[str, ...] = ()
 
 
 def column_of(text: str) -> int:

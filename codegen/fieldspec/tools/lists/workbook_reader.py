@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping
+from decimal import Decimal
 from functools import reduce
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ from fieldspec.tools.lists.tables import headed_columns, joined_columns
 from fieldspec.tools.lists.workbook_size import used_area
 
 if TYPE_CHECKING:
+    from openpyxl.cell.cell import Cell, MergedCell
     from openpyxl.worksheet.worksheet import Worksheet
 
 MAGIC = b"PK\x03\x04"
@@ -127,7 +129,7 @@ def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
         for column, cell in enumerate(row, 1):
             if cell.data_type == "f":
                 formulas.add((number, column))
-            cells.append(_cell_text(cell.value) or merged.get((number, column), ""))
+            cells.append(_cell_in_format(cell) or merged.get((number, column), ""))
         if any(cells):
             rows.append(SheetRow(number, tuple(cells)))
     return Sheet(tuple(rows), max(last_row, 1), str(sheet.title), frozenset(formulas))
@@ -158,6 +160,14 @@ def _with_values(sheet: Sheet, values: Sheet) -> Sheet:
                 left |= {(row.number, column + 1)} if not cells[column] else set()
         rows.append(SheetRow(row.number, tuple(cells)))
     return replace(sheet, rows=tuple(row for row in rows if any(row.cells)), formulas=frozenset(left))
+
+
+def _cell_in_format(cell: Cell | MergedCell) -> str:
+    """The text of a cell; a number that is shown with an exponent has one: it may have been typed as `12E2`."""
+    value = cell.value
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    has_exponent = is_number and "E+" in str(cell.number_format).upper()
+    return f"{Decimal(str(value)).normalize():E}" if has_exponent else _cell_text(value)
 
 
 def _cell_text(value: object) -> str:
