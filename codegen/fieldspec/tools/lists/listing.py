@@ -34,7 +34,7 @@ from fieldspec.tools.lists.numbering import (
 from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_subindices_apart
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
 from fieldspec.tools.lists.row_reading import Cells, ListRow, read_row
-from fieldspec.tools.lists.row_spaces import stated_numbering, titled_order, titles, with_spaces
+from fieldspec.tools.lists.row_spaces import titled_order, titles, unread_texts, with_spaces
 from fieldspec.tools.lists.shapes import BIT, with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns, without_numbers
@@ -160,7 +160,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
     numbers = {row.number for row, _ in places.rows}
-    assumptions += [] if own else stated_numbering(sheet, numbers)
+    has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
+    assumptions += [] if own else unread_texts(sheet, numbers, has_factors)
     order = options.order or titled_order(sheet, numbers, assumptions)
     further = _further_cells(columns_of_sheet, places, assumptions)
     read = []

@@ -34,12 +34,15 @@ _NUMBERING = re.compile(
     re.IGNORECASE,
 )
 _OF_ADDRESSES = re.compile(r"regist|addres|adress|direcci|indirizz|endere|地址|寄存器|アドレス", re.IGNORECASE)
+_SCALED = re.compile(
+    r"(?:\b1/10+|\b0[.,]0{0,3}1) ?(?:°|%|[a-z]{1,3}\b)|[x\u00d7*÷/] ?10+(?![0-9])|\btenths? of|\bzehntel", re.IGNORECASE
+)
 _LONGEST_QUOTE = 100
 _PHRASE = 8
 """The fewest letters of an access in a title: `read only`, and not `input`."""
 
 _SHORTEST_TITLE, _LONGEST_TITLE, _COILS = 8, 5, "coils"
-"""The fewest letters of a title that names a space: shorter titles, such as `Inputs`, name groups; and the most words
+"""The fewest bytes of a title that names a space: shorter titles, such as `Inputs`, name groups; and the most words
 of one that begins with it."""
 
 
@@ -62,12 +65,14 @@ def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) ->
     return "ABCD" if doubtful else ""
 
 
-def stated_numbering(sheet: Sheet, used: Set[int]) -> Iterator[Assumption]:
-    """The assumption about a text beside the rows of a list that says how its addresses count."""
+def unread_texts(sheet: Sheet, used: Set[int], has_factors: bool) -> Iterator[Assumption]:
+    """The assumptions about texts beside the rows of a list that say how its addresses count, or which scales hold."""
     texts = (text for text in _texts_beside(sheet, used) if _OF_ADDRESSES.search(text) and _NUMBERING.search(text))
     if text := next(texts, ""):
         evidence = f"`{text[:_LONGEST_QUOTE]}` may say that they count otherwise"
         yield Assumption("addresses", "those that are written", evidence, "--offset")
+    if not has_factors and (text := next(filter(_SCALED.search, titles(sheet).values()), "")):
+        yield Assumption("scales", "as each row has them", f"`{text[:_LONGEST_QUOTE]}` is not used")
 
 
 def _texts_beside(sheet: Sheet, used: Set[int]) -> Iterator[str]:
@@ -120,12 +125,12 @@ def _titled_space(text: str) -> str:
     bare, aside = parted(text.strip("#*_ "))
     title_words = without_brackets(bare).split()
     beginning = " ".join(title_words[:2]) if len(title_words) <= _LONGEST_TITLE else ""
-    is_long = len(folded(text)) >= _SHORTEST_TITLE or folded(text) == _COILS
-    stated = cells.space(text) or cells.space(aside) or cells.space(beginning) if is_long else ""
+    is_long = len(folded(text).encode()) >= _SHORTEST_TITLE or folded(text) == _COILS
     is_title = text.startswith("#") or len(title_words) <= _LONGEST_TITLE
-    code = _FUNCTION.search(text) if not stated and is_title else None
-    read = functions(code[1]) if code else None
-    return stated or (read.space if read is not None else "")
+    code = _FUNCTION.search(text) if is_title else None
+    if (read := functions(code[1]) if code else None) is not None:
+        return read.space
+    return cells.space(text) or cells.space(aside) or cells.space(beginning) if is_long else ""
 
 
 def _titled_access(text: str) -> str:
