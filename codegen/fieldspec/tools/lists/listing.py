@@ -156,9 +156,10 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     ]
     decimal = options.decimal or (POINT if own else _decimal(columns_of_sheet, assumptions))
     refused += [*places.refused, *_formulas(sheet, columns_of_sheet)]
-    reason = "has cells that do not stand under the headings"
-    refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
-    places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
+    refused += [
+        Refusal(row.number, "", "", sheet.refused[row.number]) for row, _ in places.rows if row.number in sheet.refused
+    ]
+    places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.refused))
     numbers = {row.number for row, _ in places.rows}
     has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
     assumptions += [] if own else unread_texts(sheet, numbers, has_factors)

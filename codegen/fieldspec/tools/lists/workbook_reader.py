@@ -31,7 +31,7 @@ _FEWEST_ROLES = 2
 
 
 def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
-    """A sheet of a workbook: the one with a name, or the one with most columns of a list. Raises ListError."""
+    """A sheet of a workbook: the one with a name, or the visible one with most columns of a list. Raises ListError."""
     area = used_area(content)
     sheets = _worksheets(content, formulas=True)
     if sheet_name:
@@ -42,9 +42,10 @@ def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
     read = {number: sheet_rows for number, sheet in enumerate(sheets) if (sheet_rows := _sheet(sheet, area)).rows}
     if not read:
         raise ListError("is empty")
-    tables = {number: headed_columns(sheet) for number, sheet in read.items()}
+    visible = [number for number in read if sheets[number].sheet_state == "visible"] or [*read]
+    tables = {number: headed_columns(read[number]) for number in visible}
     role_counts = {number: table.headed if table else 0 for number, table in tables.items()}
-    best = max(read, key=lambda number: (role_counts[number], len(read[number].rows), -number))
+    best = max(visible, key=lambda number: (role_counts[number], len(read[number].rows), -number))
     alike = [number for number, table in tables.items() if table and _are_alike(table, tables[best])]
     parts = {number: _filled(content, read[number], number, area) for number in alike} if len(alike) > 1 else {}
     filled = {number: table for number, sheet in parts.items() if (table := headed_columns(sheet)) is not None}
@@ -89,6 +90,7 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
     above: list[SheetRow] = []
     parts: list[Columns] = []
     spaces: dict[int, str] = {}
+    refused: dict[int, str] = {}
     before = 0
     for number, table in tables.items():
         sheet = sheets[number]
@@ -96,6 +98,7 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
         above += [SheetRow(before + row.number, row.cells) for row in titles]
         parts.append(replace(table, rows=tuple(SheetRow(before + row.number, row.cells) for row in table.rows)))
         spaces |= dict.fromkeys((row.number for row in parts[-1].rows), space(sheet.name))
+        refused |= {before + number: reason for number, reason in sheet.refused.items()}
         before += sheet.lines
     joined = reduce(joined_columns, parts)
     heading = SheetRow(max(joined.rows[0].number - 1, 1), (*joined.headings, "space"))
@@ -104,7 +107,7 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
         for row in joined.rows
     ]
     ordered = sorted([*above, heading, *rows], key=lambda row: row.number)
-    return Sheet(tuple(ordered), before, joined=tuple(sheets[number].name for number in tables))
+    return Sheet(tuple(ordered), before, joined=tuple(sheets[number].name for number in tables), refused=refused)
 
 
 def _worksheets(content: bytes, formulas: bool) -> list[Worksheet]:
@@ -123,6 +126,7 @@ def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
     merged = _merged_texts(sheet)
     rows = []
     formulas = set()
+    refused = {}
     lines = sheet.iter_rows(max_row=last_row, max_col=last_column) if last_row and last_column else ()
     for number, row in enumerate(lines, 1):
         cells = []
@@ -132,7 +136,9 @@ def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
             cells.append(_cell_in_format(cell) or merged.get((number, column), ""))
         if any(cells):
             rows.append(SheetRow(number, tuple(cells)))
-    return Sheet(tuple(rows), max(last_row, 1), str(sheet.title), frozenset(formulas))
+            if all(cell.font.strike for cell in row if cell.value is not None):
+                refused[number] = "is struck out"
+    return Sheet(tuple(rows), max(last_row, 1), str(sheet.title), frozenset(formulas), refused=refused)
 
 
 def _merged_texts(sheet: Worksheet) -> dict[tuple[int, int], str]:
