@@ -17,6 +17,7 @@ from fieldspec.tools.lists.column_contents import (
     are_exponents,
     are_lengths,
     are_no_types,
+    are_of_parts,
     are_ranks,
     counts_on,
     has_role,
@@ -115,8 +116,10 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
     sample = rows[:LOOKED_AT]
     byte_columns = _byte_columns(heads, {*places.values()})
     further: dict[str, tuple[int, ...]] = {"bytes of addresses": byte_columns} if byte_columns else {}
+    unit_columns = ranked(heads, words("headings")["unit"], set())
+    of_parts = {column for column in unit_columns if are_of_parts(headings[column], sample, column)}
     for role, role_words in words("headings").items():
-        used_columns = _used(places, further)
+        used_columns = _used(places, further) | of_parts
         fits = ranked(heads, role_words, used_columns)
         if role == "type":
             fits = [column for column in fits if not are_no_types(sample, column)]
