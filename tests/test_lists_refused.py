@@ -13,6 +13,7 @@ import openpyxl
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from openpyxl.styles import Font
 from openpyxl.utils import get_column_letter
 
 from command_line import SPECS, CommandLine
@@ -294,6 +295,39 @@ def test_a_text_that_is_merged_over_rows_counts_for_each_of_them(run: CommandLin
     assert ran.code == 0
     assert "at: 0x2000, name: a," in ran.out
     assert "at: 0x2001, name: a_2001," in ran.out
+
+
+def test_a_number_that_a_workbook_shows_with_an_exponent_is_no_address(run: CommandLine, tmp_path: Path) -> None:
+    def typed_as_digits(workbook: openpyxl.Workbook) -> None:
+        cell("A3", 1200)(workbook)
+        workbook.worksheets[0]["A3"].number_format = "0.00E+00"
+
+    path = tmp_path / "list.xlsx"
+    path.write_bytes(book(typed_as_digits))
+    ran = run("import", str(path), "--to", "-")
+    assert ran.code == 0
+    assert "not used: row 3, Address `1.2E+3`: has an exponent" in ran.err
+
+
+def test_rows_that_are_struck_out_and_hidden_sheets_are_not_taken(run: CommandLine, tmp_path: Path) -> None:
+    def struck(workbook: openpyxl.Workbook) -> None:
+        for struck_cell in workbook.worksheets[0][3]:
+            struck_cell.font = Font(strike=True)
+        hidden = workbook.create_sheet("Old")
+        for row in (["Address", "Name", "Note"], ["0x3000", "old", 1], ["0x3001", "older", 1]):
+            hidden.append(row)
+        hidden.sheet_state = "hidden"
+
+    path = tmp_path / "list.xlsx"
+    path.write_bytes(book(struck))
+    ran = run("import", str(path), "--to", "-")
+    assert ran.code == 0
+    assert "not used: row 3: is struck out" in ran.err
+    assert ": Old; --sheet names one" in ran.err
+    assert [at for at in ("0x2000", "0x2001", "0x2002", "0x3000") if f"at: {at}, name" in ran.out] == [
+        "0x2000",
+        "0x2002",
+    ]
 
 
 LIKELY = st.text(alphabet="Adres,;|\t\n\"'0x12hH=-~[]{}:地址", max_size=80).map(str.encode)

@@ -28,12 +28,13 @@ _DIGITS = re.compile(r"[0-9a-f]{1,10}", re.IGNORECASE)
 _POINTLESS = re.compile(r"([0-9]+)\.0+")
 _POINTED = re.compile(r"[0-9]+\.[0-9]{1,2}")
 _GROUPED = re.compile(r"[0-9]{1,3}(?:[,.' ][0-9]{3})+")
+_EXPONENT = re.compile(r"[0-9](?:[.,][0-9]+)?e\+[0-9]{1,2}", re.IGNORECASE)
 _SPAN = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|-|至|\bto\b|\bbis\b)\s*", re.IGNORECASE)
 _SEVERAL = re.compile(r"\s*(?:[,;&+]|\band\b|\bund\b)\s*", re.IGNORECASE)
 _BREAK = re.compile(r"\s*<br\s*/?>\s*", re.IGNORECASE)
 _NAMED = re.compile(r"(?:reg(?:ister)?s?|addr?(?:ess)?|%?([a-z]{1,3}))\.?\s?(?=[0-9])", re.IGNORECASE)
 _OF_BYTES = re.compile(r"%[a-z](?:b|d|l|w?x)(?=[0-9])", re.IGNORECASE)
-_BIT_OF_BYTE = re.compile(r"%[iqm][0-9]+\.[0-7]", re.IGNORECASE)
+_BIT_OF_BYTE = re.compile(r"%(?:[iqm]|[iq]x)[0-9]+\.[0-7]", re.IGNORECASE)
 """Places in the memory of a controller that are not counted in words, and not alike by all controllers."""
 
 _HALF = re.compile(
@@ -158,6 +159,8 @@ def place(text: str) -> Place | None:
     normalized = unicodedata.normalize("NFKC", text).strip().strip("`*").strip()
     if _GROUPED.fullmatch(normalized) and not _HALVES.fullmatch(normalized):
         raise CellError("is written with thousands separators; remove them")
+    if _EXPONENT.fullmatch(normalized):
+        raise CellError("has an exponent, or is hexadecimal and a spreadsheet took it for such a number; write a text")
     if (pieces := _BREAK.split(normalized))[1:]:
         return _joined([place(piece) for piece in pieces])
     if (bits := _BITS.fullmatch(normalized)) and (address := address_text(bits[1])):

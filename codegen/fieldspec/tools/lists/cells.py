@@ -34,7 +34,8 @@ _COMMA = re.compile(r"(?<![0-9,.])[-+]?[0-9]+,(?:[0-9]{1,2}|0[0-9]{2,}|[0-9]{4,}
 _SMALL_COMMA = re.compile(r"(?<![0-9,.])[-+]?0,[0-9]+(?![0-9,])")
 _POINTED = re.compile(r"(?<![0-9,.])[-+]?[0-9]+\.[0-9]+(?![0-9.,])")
 _PIECES, _PARTS = re.compile(r"[\s/|-]+"), re.compile(r"[\s_]+")
-_CODE = re.compile(r"(?:fc|f|func(?:tion)?|r|w|[:=]|\s)*(?:0x)?0*([0-9a-f]{1,2})h?", re.IGNORECASE)
+_CODE = re.compile(r"(?:fc|f|func(?:tion)?|r(?:ead)?|w(?:rite)?|[:=]|\s)*(?:0x)?0*([0-9a-f]{1,2})h?", re.IGNORECASE)
+_CODES = re.compile(r"[,;/&+|]|\band\b|(?<=[0-9h])\s(?=0|[rw]:)", re.IGNORECASE)
 _WORDS_BEHIND = re.compile(r"(?<=[0-9a-fh])\s*(?:[-\u2013:]\s*|\s)(?:read|write|preset|force)\b[^0-9]*$", re.IGNORECASE)
 """The words after the code of a function that describe it."""
 
@@ -72,7 +73,7 @@ def functions(text: str) -> Functions | None:
     if verb and (named_space := meaning("spaces", folded(text)[verb.end() :])):
         return Functions(named_space, "read" in verb[0], "write" in verb[0])
     codes = []
-    for part in re.split(r"[,;/&+|]|\band\b|\s(?=0)", without_brackets(unicodedata.normalize("NFKC", text)).strip()):
+    for part in _CODES.split(without_brackets(unicodedata.normalize("NFKC", text)).strip()):
         match = _CODE.fullmatch(_WORDS_BEHIND.sub("", part.strip()))
         if match is None:
             return None
@@ -90,7 +91,10 @@ def functions(text: str) -> Functions | None:
 
 
 def space(text: str) -> str:
-    """The address space that a text names, perhaps in two languages or notations: `线圈 COIL`, `Coil (0x)`."""
+    """The address space that a text names, perhaps in two languages or notations: `线圈 COIL`, `Coil (0x)`; empty for a
+    text with `°C`."""
+    if "°" in text:
+        return ""
     bare = without_brackets(text)
     ending = " ".join(_PARTS.split(bare.strip())[-2:])
     for stated in (text, bare, _VERB.sub("", folded(bare), count=1), bare.partition("_")[2], ending):

@@ -49,6 +49,12 @@ def are_ranks(rows: Sequence[SheetRow], column: int) -> bool:
     return any((cells.whole(text) or 0) > 1 and not stated_order(text) for text in texts)
 
 
+def are_of_parts(heading: str, rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether a column has the units of parts of registers: all are the end of its heading, as in `unit_min`."""
+    texts = {text.casefold() for row in rows if (text := row.cell(column))}
+    return len(texts) == 1 and heading.casefold().endswith(f"_{texts.pop()}")
+
+
 def are_exponents(rows: Sequence[SheetRow], column: int) -> bool:
     """Whether a column of scales has powers of ten: small whole numbers, some of them no factors of anything."""
     numbers = [cells.whole(text) for row in rows if any(map(str.isdigit, text := row.cell(column)))]

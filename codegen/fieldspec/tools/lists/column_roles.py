@@ -17,6 +17,7 @@ from fieldspec.tools.lists.column_contents import (
     are_exponents,
     are_lengths,
     are_no_types,
+    are_of_parts,
     are_ranks,
     counts_on,
     has_role,
@@ -24,7 +25,7 @@ from fieldspec.tools.lists.column_contents import (
     repeats,
     role_by_cells,
 )
-from fieldspec.tools.lists.heading_words import NOTE, heads_of, ranked
+from fieldspec.tools.lists.heading_words import NOTE, heads_of, is_of_station, ranked
 from fieldspec.tools.lists.object_groups import GROUP
 from fieldspec.tools.lists.row_quantity import FACTORS
 from fieldspec.tools.lists.sheet import SheetRow, column_of, letters
@@ -115,8 +116,10 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
     sample = rows[:LOOKED_AT]
     byte_columns = _byte_columns(heads, {*places.values()})
     further: dict[str, tuple[int, ...]] = {"bytes of addresses": byte_columns} if byte_columns else {}
+    unit_columns = ranked(heads, words("headings")["unit"], set())
+    of_parts = {column for column in unit_columns if are_of_parts(headings[column], sample, column)}
     for role, role_words in words("headings").items():
-        used_columns = _used(places, further)
+        used_columns = _used(places, further) | of_parts
         fits = ranked(heads, role_words, used_columns)
         if role == "type":
             fits = [column for column in fits if not are_no_types(sample, column)]
@@ -152,6 +155,12 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
         if role == "address" and (len(columns) > 1 or "address" in places):
             lengths = [n for n in ranked(heads, words("headings")["words"], set()) if are_lengths(sample, n)]
             columns = [column for column in columns if column not in lengths] or columns
+            columns = [
+                column
+                for column in columns
+                if not is_of_station(headings[column])
+                and (len(sample) == 1 or len({row.cell(column) for row in sample}) > 1)
+            ] or columns
             columns = [column for column in columns if not folded(headings[column]).endswith("offset")] or columns
             if not names:
                 main = [places["address"]] if "address" in places else columns[:1]

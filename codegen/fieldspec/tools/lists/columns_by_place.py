@@ -54,7 +54,7 @@ def _has_cells_of_lines(lines: list[str]) -> bool:
 def placed_sheet(text: str) -> Sheet | None:
     """The sheet of a text in which columns are parted by two blanks or more; None if the text differs.
 
-    The heading is the first line with most cells. `shifted` has the lines with a cell that stands under no heading, or
+    The heading is the first line with most cells. `refused` has the lines with a cell that stands under no heading, or
     under two, or with another one under its heading.
     """
     lines = [list(_CELL.finditer(line.expandtabs())) for line in text.splitlines()[: MOST_ROWS + 1]]
@@ -63,16 +63,16 @@ def placed_sheet(text: str) -> Sheet | None:
         return None
     heading = next(number for number, cells in enumerate(lines) if len(cells) == width)
     spans = [cell.span() for cell in lines[heading]]
-    rows, shifted = [], set()
+    rows, refused = [], dict[int, str]()
     for number, cells in enumerate(lines, 1):
         texts = [""] * width
         for cell in cells:
             under = [n for n, (first, last) in enumerate(spans) if cell.start() < last and first < cell.end()]
             nearest = max((n for n, (first, _) in enumerate(spans) if first <= cell.start()), default=0)
             if len(under) != 1 or texts[under[0]]:
-                shifted.add(number)
+                refused[number] = "has cells that do not stand under the headings"
             column = under[0] if len(under) == 1 else nearest
             texts[column] = f"{texts[column]} {cell[0]}".strip()
         if cells:
             rows.append(SheetRow(number, tuple(texts)))
-    return Sheet(tuple(rows), max(len(lines), 1), shifted=frozenset(shifted))
+    return Sheet(tuple(rows), max(len(lines), 1), refused=refused)

@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.tools.lists.brackets import without_brackets
-from fieldspec.tools.lists.words import folded, whole_words
+from fieldspec.tools.lists.words import folded, whole_words, words
 
 NOTE = "note"
 
@@ -34,6 +34,12 @@ def _variants(texts: Sequence[str]) -> Iterator[str]:
         is_annotated = bool(roles) and {whole_words().get(folded(piece)) for piece in pieces[1:]} <= _ANNOTATIONS
         if len(pieces) > 1 and (len(roles - {None}) == 1 or is_annotated) and roles != {None}:
             yield next(piece for piece in pieces if folded(piece) in whole_words())
+
+
+def is_of_station(heading: str) -> bool:
+    """Whether a heading is that of addresses of stations, networks or chips."""
+    stations = words("stations")["address"]
+    return folded(heading).startswith(stations) or folded(heading).endswith(stations)
 
 
 def heads_of(texts: Sequence[str]) -> dict[str, frozenset[int]]:

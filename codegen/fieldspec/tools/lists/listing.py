@@ -34,7 +34,7 @@ from fieldspec.tools.lists.numbering import (
 from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_subindices_apart
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
 from fieldspec.tools.lists.row_reading import Cells, ListRow, read_row
-from fieldspec.tools.lists.row_spaces import titled_order, titles, with_spaces
+from fieldspec.tools.lists.row_spaces import titled_order, titles, unread_texts, with_spaces
 from fieldspec.tools.lists.shapes import BIT, with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns, without_numbers
@@ -115,6 +115,11 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     """The list in a sheet. `names` has the columns of some roles. Raises ListError if the sheet is not a list."""
     sheet = without_numbers(sheet)
     columns_of_sheet = columns(with_subindices_apart(sheet), names)
+    if not names and {*columns_of_sheet.places} <= {"address", "space"} and len(columns_of_sheet.unused()) > 1:
+        raise ListError(
+            f"has addresses under {columns_of_sheet.heading('address')}, and no other column that is understood "
+            f"({headings_text(columns_of_sheet.headings)}); name the column of addresses with --address"
+        )
     first_row = columns_of_sheet.rows[0].number
     own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
     refused: list[Refusal] = []
@@ -151,10 +156,14 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     ]
     decimal = options.decimal or (POINT if own else _decimal(columns_of_sheet, assumptions))
     refused += [*places.refused, *_formulas(sheet, columns_of_sheet)]
-    reason = "has cells that do not stand under the headings"
-    refused += [Refusal(row.number, "", "", reason) for row, _ in places.rows if row.number in sheet.shifted]
-    places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.shifted))
-    order = options.order or titled_order(sheet, {row.number for row, _ in places.rows}, assumptions)
+    refused += [
+        Refusal(row.number, "", "", sheet.refused[row.number]) for row, _ in places.rows if row.number in sheet.refused
+    ]
+    places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.refused))
+    numbers = {row.number for row, _ in places.rows}
+    has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
+    assumptions += [] if own else unread_texts(sheet, numbers, has_factors)
+    order = options.order or titled_order(sheet, numbers, assumptions)
     further = _further_cells(columns_of_sheet, places, assumptions)
     read = []
     for sheet_row, row_place in places.rows:

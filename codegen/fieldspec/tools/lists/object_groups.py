@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from fieldspec.foundation.spreadsheet import clean
@@ -24,9 +24,6 @@ _NO_ADDRESSES = ("index", "offset", "dec", "decimal", "start", "registers")
 
 _FEWEST_ROLES = 4
 """The roles of objects whose numbers may number anything."""
-
-_STATIONS = ("slave", "unit", "device", "node", "station", "server", "host", "ip", "mac", "i2c", "spi")
-"""Words before `address` for what is not a register: the address of a station, of a network or of a chip."""
 
 
 class _Group(NamedTuple):
@@ -68,13 +65,14 @@ def objects_sheet(data: object, format_name: str, only_with_addresses: bool = Fa
     for n, item in enumerate(objects, 2):
         resolved = {head: definitions.get(str(item.get(head)), item.get(head)) for head in values}
         rows.append(SheetRow(n, tuple(_cell(resolved.get(head, item.get(head))) for head in heads)))
-    further = tuple(dict.fromkeys(_beside(groups, used, data)))
-    return Sheet(tuple(row for row in rows if any(row.cells)), len(objects) + 1, beside=further)
-
-
-def _beside(groups: list[_Group], used: list[_Group], data: object) -> Iterator[str]:
-    """The contents of a file beside its list: other groups of objects, and settings about addresses."""
     inner = {place for group in used for place in _places(group.value)}
+    further = tuple(dict.fromkeys(_beside(groups, used, data, inner)))
+    orders = tuple(_settings(data, inner, _is_of_order))
+    return Sheet(tuple(row for row in rows if any(row.cells)), len(objects) + 1, beside=further, orders=orders)
+
+
+def _beside(groups: list[_Group], used: list[_Group], data: object, inner: set[int]) -> Iterator[str]:
+    """The contents of a file beside its list: other groups of objects, and settings about addresses."""
     definitions = {place for group in groups if _pairs(group.value) for place in _places(group.value)}
     lists = {id(group.value) for group in used}
     yield from (
@@ -82,7 +80,7 @@ def _beside(groups: list[_Group], used: list[_Group], data: object) -> Iterator[
         for group in groups
         if id(group.value) not in inner | definitions and lists.isdisjoint(_places(group.value))
     )
-    yield from _addressing(data, inner)
+    yield from _settings(data, inner, lambda key: meaning("settings", key) != "")
 
 
 def _places(value: object) -> Iterator[int]:
@@ -93,14 +91,19 @@ def _places(value: object) -> Iterator[int]:
             yield from _places(inner)
 
 
-def _addressing(value: object, inner: set[int]) -> Iterator[str]:
-    """The settings about the addresses of a whole file, which are not in an object of its list."""
+def _is_of_order(key: str) -> bool:
+    """Whether a key is of the order of bytes or of words: `endianness`, `wordSwap`."""
+    return folded(key).endswith(("endian", "endianness", "wordorder", "byteorder", "wordswap", "swapwords"))
+
+
+def _settings(value: object, inner: set[int], is_meant: Callable[[str], bool]) -> Iterator[str]:
+    """The settings of a whole file by their keys, which are not in an object of its list."""
     if id(value) in inner or not isinstance(value, list | dict):
         return
     for key, setting in value.items() if isinstance(value, dict) else enumerate(value):
-        if not isinstance(setting, list | dict) and meaning("settings", str(key)):
+        if not isinstance(setting, list | dict) and is_meant(str(key)):
             yield f"{key}: {setting}"
-        yield from _addressing(setting, inner)
+        yield from _settings(setting, inner, is_meant)
 
 
 def _role_count(groups: list[_Group]) -> int:
@@ -153,7 +156,10 @@ def _has_compound_address(item: dict[str, Any]) -> bool:
     """Whether the last word of a key of an object is one for addresses, as in `busAddress`."""
     last_words = ((snake(str(key)).rpartition("_"), value) for key, value in item.items())
     return any(
-        first and first not in _STATIONS and _has_address({last: value}) and address_text(str(value)) is not None
+        first
+        and first not in words("stations")["address"]
+        and _has_address({last: value})
+        and address_text(str(value)) is not None
         for (first, _, last), value in last_words
     )
 

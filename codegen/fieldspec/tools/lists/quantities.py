@@ -25,6 +25,9 @@ _RATIO = re.compile(r"([0-9]{1,9})\s*[/:]\s*([0-9]{1,9})")
 _LEADING = re.compile(
     r"([-+]?[0-9]*[.,]?[0-9]+(?:[eE][-+]?[0-9]+)?|[/÷]\s*[0-9.,]+|10\s*\^\s*\(?[-+]?[0-9]+\)?|[0-9]+\s*/\s*[0-9]+|[X#]+\.[X#]+)\s*[*x\u00d7·]?\s*([^\s0-9.,*/^].*)"
 )
+_COUNTS = re.compile(r"[1-9][0-9]*\s*[*x\u00d7·]", re.IGNORECASE)
+"""A factor above 1 with the sign after it: the counts per unit, or the units per count."""
+
 _BEFORE = re.compile(
     r"(?:(÷|/|divided? by)|[x\u00d7*])\s*(10{1,6}|0\.0{0,5}1)(?:\s*(?:for|=|in)?\s*([^\s0-9]{1,6}))?", re.IGNORECASE
 )
@@ -166,7 +169,7 @@ def unit_cell(text: str, decimal: str) -> Quantity | None:
 def scaled_unit(text: str, decimal: str) -> Quantity | None:
     """The unit of a cell with the scale before it, as in `0.1 %`; None for another cell."""
     leading = _LEADING.fullmatch(text)
-    if leading is None:
+    if leading is None or _COUNTS.match(text):
         return None
     scale, inner = factor(leading[1], decimal), unit_cell(leading[2], decimal)
     if scale is None or inner is None or inner.scale is not None or inner.times is not None or not inner.unit:

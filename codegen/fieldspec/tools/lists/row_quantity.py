@@ -142,7 +142,10 @@ def quantity_of(
             if linear is not None:
                 own_factor, offset = linear.scale, offset or linear.offset
             if own_factor is None and scaled is not None and scaled.scale is not None:
-                own_factor, unit = scaled.scale, replace(unit, unit=unit.unit or scaled.unit)
+                own_factor = scaled.scale
+                if unit.unit not in ("", scaled.unit):
+                    doubts.append(f"Unit in the list: {text}.")
+                unit = replace(unit, unit=scaled.unit or unit.unit)
             if own_factor is not None:
                 stated.append((own_factor, texts[role]))
             elif scaled is not None and scaled.times is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence, Set
+from collections.abc import Iterator, Sequence, Set
 
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists import cells
@@ -19,11 +19,30 @@ from fieldspec.tools.lists.words import folded
 _FUNCTION = re.compile(
     r"\b(?:function(?: code)?|fc|функция|funktion|función|fonction|funzione) ?((?:0x)?0?[1-6])\b", re.IGNORECASE
 )
+_LOW_WORD = re.compile(
+    r"\blow(?:er)?(?:[ -]order)?[ -](?:word|reg)|least[ -]significant[ -](?:word|reg)|\bLSW\b|little[ -]?endian"
+    r"|(?:word|register)s?[ _-]?swap|swapped|niederwert|poids faible|meno?s? significativ|parola bassa|下位|低字|低位字"
+    r"|młodsz",
+    re.IGNORECASE,
+)
+"""Words of texts that may say that the low word is first."""
+
+_NUMBERING = re.compile(
+    r"\b(?:minus|less|subtract(?:ing)?|(?:reduced?|decremented?|lowered|offset) (?:by|of)|moins|menos|meno) "
+    r"(?:1|one|un[oe]?|um)\b|\b(?:one|zero|1|0)[ -]?based|\b(?:start|begin|count)\w* (?:at|from|with) "
+    r"(?:0|1|zero|one)\b|\b(?:1|eins) (?:abzieh|abzuzieh|subtrah|weniger|kleiner)|[a-z] ?[-\u2013] ?1\b|[减減] ?[1一]",
+    re.IGNORECASE,
+)
+_OF_ADDRESSES = re.compile(r"regist|addres|adress|direcci|indirizz|endere|地址|寄存器|アドレス", re.IGNORECASE)
+_SCALED = re.compile(
+    r"(?:\b1/10+|\b0[.,]0{0,3}1) ?(?:°|%|[a-z]{1,3}\b)|[x\u00d7*÷/] ?10+(?![0-9])|\btenths? of|\bzehntel", re.IGNORECASE
+)
+_LONGEST_QUOTE = 100
 _PHRASE = 8
 """The fewest letters of an access in a title: `read only`, and not `input`."""
 
 _SHORTEST_TITLE, _LONGEST_TITLE, _COILS = 8, 5, "coils"
-"""The fewest letters of a title that names a space: shorter titles, such as `Inputs`, name groups; and the most words
+"""The fewest bytes of a title that names a space: shorter titles, such as `Inputs`, name groups; and the most words
 of one that begins with it."""
 
 
@@ -34,13 +53,30 @@ def with_spaces(rows: list[ListRow], sheet: Sheet, assumptions: list[Assumption]
 
 def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) -> str:
     """The order of words that a text beside the rows of a list states for all of them; empty where none does."""
-    texts = (text for row in sheet.rows if row.number not in used for text in row.cells)
+    texts = [*_texts_beside(sheet, used), *sheet.orders]
     orders = {order: text for text in texts if (order := described_order(text))}
-    if len(orders) != 1:
-        return ""
-    ((order, text),) = orders.items()
-    assumptions.append(Assumption("order of words", order, f"`{text}`", "--order"))
-    return order
+    if len(orders) == 1:
+        ((order, text),) = orders.items()
+        assumptions.append(Assumption("order of words", order, f"`{text}`", "--order"))
+        return order
+    if doubtful := next(filter(_LOW_WORD.search, texts), ""):
+        evidence = f"`{doubtful[:_LONGEST_QUOTE]}` is not understood"
+        assumptions.append(Assumption("order of words", "ABCD, the high word first", evidence, "--order"))
+    return "ABCD" if doubtful else ""
+
+
+def unread_texts(sheet: Sheet, used: Set[int], has_factors: bool) -> Iterator[Assumption]:
+    """The assumptions about texts beside the rows of a list that say how its addresses count, or which scales hold."""
+    texts = (text for text in _texts_beside(sheet, used) if _OF_ADDRESSES.search(text) and _NUMBERING.search(text))
+    if text := next(texts, ""):
+        evidence = f"`{text[:_LONGEST_QUOTE]}` may say that they count otherwise"
+        yield Assumption("addresses", "those that are written", evidence, "--offset")
+    if not has_factors and (text := next(filter(_SCALED.search, titles(sheet).values()), "")):
+        yield Assumption("scales", "as each row has them", f"`{text[:_LONGEST_QUOTE]}` is not used")
+
+
+def _texts_beside(sheet: Sheet, used: Set[int]) -> Iterator[str]:
+    return (text for row in sheet.rows if row.number not in used for text in row.cells if text)
 
 
 def titles(sheet: Sheet) -> dict[int, str]:
@@ -89,12 +125,12 @@ def _titled_space(text: str) -> str:
     bare, aside = parted(text.strip("#*_ "))
     title_words = without_brackets(bare).split()
     beginning = " ".join(title_words[:2]) if len(title_words) <= _LONGEST_TITLE else ""
-    is_long = len(folded(text)) >= _SHORTEST_TITLE or folded(text) == _COILS
-    stated = cells.space(text) or cells.space(aside) or cells.space(beginning) if is_long else ""
+    is_long = len(folded(text).encode()) >= _SHORTEST_TITLE or folded(text) == _COILS
     is_title = text.startswith("#") or len(title_words) <= _LONGEST_TITLE
-    code = _FUNCTION.search(text) if not stated and is_title else None
-    read = functions(code[1]) if code else None
-    return stated or (read.space if read is not None else "")
+    code = _FUNCTION.search(text) if is_title else None
+    if (read := functions(code[1]) if code else None) is not None:
+        return read.space
+    return cells.space(text) or cells.space(aside) or cells.space(beginning) if is_long else ""
 
 
 def _titled_access(text: str) -> str:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import reduce
 
-from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.classes import dataclass, field
 
 MOST_BYTES = 32 << 20
 MOST_ROWS = 100_000
@@ -43,9 +44,9 @@ class Sheet:
 
     `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file. `others` are the
     names of further sheets with cells, `joined` the names of the sheets that form this sheet, `encoding` that of a text
-    where it was guessed, `shifted` the rows whose cells do not stand under the headings, `heads` the rows that the file
+    where it was guessed, `refused` the rows that cannot be used, with the reasons, `heads` the rows that the file
     marks as headings. `format` is that of another program, empty for a table, `beside` the contents of the
-    file that are not part of the list.
+    file that are not part of the list, `orders` its settings of orders of bytes and words.
     """
 
     rows: tuple[SheetRow, ...]
@@ -55,10 +56,11 @@ class Sheet:
     others: tuple[str, ...] = ()
     joined: tuple[str, ...] = ()
     encoding: str = ""
-    shifted: frozenset[int] = frozenset()
+    refused: Mapping[int, str] = field(default_factory=dict)
     heads: frozenset[int] = frozenset()
     format: str = ""
     beside: tuple[str, ...] = ()
+    orders: tuple[str, ...] = ()
 
 
 def column_of(text: str) -> int:

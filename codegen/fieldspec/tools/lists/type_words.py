@@ -169,6 +169,9 @@ def typed(text: str) -> Typed | None:
     inner = typed(bare) if aside else None
     if inner is None:
         return None
+    sized = _known(aside.strip(" )]")) if inner.kind is Loose.WHOLE and not inner.size else None
+    if sized is not None and sized.bits:
+        return replace(inner, bits=sized.bits)
     stated, rest = _order_and_rest(aside.strip(" )]"))
     return replace(inner, order=stated or inner.order, aside=rest)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping
+from decimal import Decimal
 from functools import reduce
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ from fieldspec.tools.lists.tables import headed_columns, joined_columns
 from fieldspec.tools.lists.workbook_size import used_area
 
 if TYPE_CHECKING:
+    from openpyxl.cell.cell import Cell, MergedCell
     from openpyxl.worksheet.worksheet import Worksheet
 
 MAGIC = b"PK\x03\x04"
@@ -29,7 +31,7 @@ _FEWEST_ROLES = 2
 
 
 def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
-    """A sheet of a workbook: the one with a name, or the one with most columns of a list. Raises ListError."""
+    """A sheet of a workbook: the one with a name, or the visible one with most columns of a list. Raises ListError."""
     area = used_area(content)
     sheets = _worksheets(content, formulas=True)
     if sheet_name:
@@ -40,9 +42,10 @@ def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
     read = {number: sheet_rows for number, sheet in enumerate(sheets) if (sheet_rows := _sheet(sheet, area)).rows}
     if not read:
         raise ListError("is empty")
-    tables = {number: headed_columns(sheet) for number, sheet in read.items()}
+    visible = [number for number in read if sheets[number].sheet_state == "visible"] or [*read]
+    tables = {number: headed_columns(read[number]) for number in visible}
     role_counts = {number: table.headed if table else 0 for number, table in tables.items()}
-    best = max(read, key=lambda number: (role_counts[number], len(read[number].rows), -number))
+    best = max(visible, key=lambda number: (role_counts[number], len(read[number].rows), -number))
     alike = [number for number, table in tables.items() if table and _are_alike(table, tables[best])]
     parts = {number: _filled(content, read[number], number, area) for number in alike} if len(alike) > 1 else {}
     filled = {number: table for number, sheet in parts.items() if (table := headed_columns(sheet)) is not None}
@@ -87,6 +90,7 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
     above: list[SheetRow] = []
     parts: list[Columns] = []
     spaces: dict[int, str] = {}
+    refused: dict[int, str] = {}
     before = 0
     for number, table in tables.items():
         sheet = sheets[number]
@@ -94,6 +98,7 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
         above += [SheetRow(before + row.number, row.cells) for row in titles]
         parts.append(replace(table, rows=tuple(SheetRow(before + row.number, row.cells) for row in table.rows)))
         spaces |= dict.fromkeys((row.number for row in parts[-1].rows), space(sheet.name))
+        refused |= {before + number: reason for number, reason in sheet.refused.items()}
         before += sheet.lines
     joined = reduce(joined_columns, parts)
     heading = SheetRow(max(joined.rows[0].number - 1, 1), (*joined.headings, "space"))
@@ -102,7 +107,7 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
         for row in joined.rows
     ]
     ordered = sorted([*above, heading, *rows], key=lambda row: row.number)
-    return Sheet(tuple(ordered), before, joined=tuple(sheets[number].name for number in tables))
+    return Sheet(tuple(ordered), before, joined=tuple(sheets[number].name for number in tables), refused=refused)
 
 
 def _worksheets(content: bytes, formulas: bool) -> list[Worksheet]:
@@ -121,16 +126,19 @@ def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
     merged = _merged_texts(sheet)
     rows = []
     formulas = set()
+    refused = {}
     lines = sheet.iter_rows(max_row=last_row, max_col=last_column) if last_row and last_column else ()
     for number, row in enumerate(lines, 1):
         cells = []
         for column, cell in enumerate(row, 1):
             if cell.data_type == "f":
                 formulas.add((number, column))
-            cells.append(_cell_text(cell.value) or merged.get((number, column), ""))
+            cells.append(_cell_in_format(cell) or merged.get((number, column), ""))
         if any(cells):
             rows.append(SheetRow(number, tuple(cells)))
-    return Sheet(tuple(rows), max(last_row, 1), str(sheet.title), frozenset(formulas))
+            if all(cell.font.strike for cell in row if cell.value is not None):
+                refused[number] = "is struck out"
+    return Sheet(tuple(rows), max(last_row, 1), str(sheet.title), frozenset(formulas), refused=refused)
 
 
 def _merged_texts(sheet: Worksheet) -> dict[tuple[int, int], str]:
@@ -158,6 +166,14 @@ def _with_values(sheet: Sheet, values: Sheet) -> Sheet:
                 left |= {(row.number, column + 1)} if not cells[column] else set()
         rows.append(SheetRow(row.number, tuple(cells)))
     return replace(sheet, rows=tuple(row for row in rows if any(row.cells)), formulas=frozenset(left))
+
+
+def _cell_in_format(cell: Cell | MergedCell) -> str:
+    """The text of a cell; a number that is shown with an exponent has one: it may have been typed as `12E2`."""
+    value = cell.value
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    has_exponent = is_number and "E+" in str(cell.number_format).upper()
+    return f"{Decimal(str(value)).normalize():E}" if has_exponent else _cell_text(value)
 
 
 def _cell_text(value: object) -> str:
