@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, MutableMapping
 
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.layout.value_texts import spec_text
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, is_array, is_signed
 from fieldspec.language.model.value import Value
 from fieldspec.tools.simulator.memory import default_raw
+from fieldspec.tools.simulator.refusal import Refusal
 
 if TYPE_CHECKING:
     from typing import Any
@@ -89,6 +91,20 @@ def signed(raw: Any, size: int, is_signed: bool) -> Any:
         return raw
     whole = raw & ((1 << 8 * size) - 1)
     return whole - (1 << 8 * size) if is_signed and whole >> (8 * size - 1) else whole
+
+
+def in_parameter(raw: Any, field: FieldLayout, value: Value) -> Any:
+    """A number that a field carries, as the type of a parameter has it. Raises Refusal for one that the type lacks.
+
+    A field without a sign that is wider than the type may carry the bits of a negative number with zeros before them.
+    """
+    number = signed(raw, value.size, is_signed(value.encoding))
+    if number == raw or field.size <= value.size:
+        return number
+    is_bits = isinstance(raw, int) and field.value is not None and not is_signed(field.value.encoding)
+    if is_bits and raw in (number & (1 << 8 * value.size) - 1, number & (1 << 8 * field.size) - 1):
+        return number
+    raise Refusal("value_invalid", f"{value.type.name} does not have {spec_text(raw)}")
 
 
 def in_type(raw: Any, field: FieldLayout) -> Any:

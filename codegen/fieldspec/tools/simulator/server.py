@@ -12,7 +12,7 @@ from fieldspec.codec.reference.parameters import bytes_of_value, carries, field_
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
 from fieldspec.language.behaviour.part import Part
-from fieldspec.language.model.encoding import is_count, is_signed
+from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.tools.simulator import parameters, raw_values
 from fieldspec.tools.simulator.access_steps import carry_out_steps
@@ -186,7 +186,7 @@ class Server:
                     raise Refusal("type_invalid", error.detail) from None
             raws = [int(item) if isinstance(item, bool) else item for item in (raw if isinstance(raw, list) else [raw])]
             if value is not None:
-                raws = [raw_values.signed(item, value.size, is_signed(value.encoding)) for item in raws]
+                raws = [raw_values.in_parameter(item, value_field, value) for item in raws]
             parameters.write_parameter(engine, target, raws)
             if request.selector is not None:
                 engine.memory.formats[key] = values[request.selector.name]
