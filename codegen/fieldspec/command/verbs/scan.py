@@ -120,7 +120,7 @@ def _print(client: Client, results: Sequence[Scan], differences: dict[str, int],
     blocks: list[Line | Table] = []
     for result in results:
         own = compared(client.layout, result)
-        space_text = f"{result.space.name}: " if len(results) > 1 else ""
+        space_text = f"{result.space.name or 'registers'}: " if len(results) > 1 else ""
         blocks.append(Line(f"{space_text}{len(result.words)} of {len(result.asked)} addresses answer"))
         if result.left_out:
             blocks.append(Line(f"{len(result.left_out)} addresses are left out, because reading changes them"))
