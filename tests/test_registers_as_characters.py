@@ -133,6 +133,13 @@ def test_javascript_makes_requests_for_registers_by_the_messages_of_a_link(
     assert output == [requests, 100000]
 
 
+def test_javascript_refuses_a_link_without_messages_for_registers_by_name() -> None:
+    program = f'import {{ registersOn }} from "{module_path(LAYOUT)}"; registersOn("host");'
+    command = [require_tool("node"), "--input-type=module", "--eval", program]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert "RangeError: there is no link host; known are area, bus" in run.stderr
+
+
 def test_redaction_keeps_known_registers_and_drops_unknown_ones() -> None:
     link = codec(LAYOUT).links["area"]
     frame = sealed("@10WR0005000011112222")

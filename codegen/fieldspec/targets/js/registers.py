@@ -244,17 +244,21 @@ def declare_accesses(names: Names) -> Declaration:
         return Declaration(code, types)
     first = literal(links[0])
     code += ["const accesses = (link) => [", *table, "].filter((access) => access.links.includes(link));", ""]
-    code += ["export const registersOn = (link) => ({"]
+    known, text = ", ".join(map(literal, links)), ", ".join(links)
+    code += ["export const registersOn = (link) => {"]
+    code += [f"  if (![{known}].includes(link)) throw new RangeError(`there is no link ${{link}}; known are {text}`);"]
+    code += ["  return {"]
     code += [
-        f"  {name}: {parameters} => {body.format(accesses='accesses(link)')},"
+        f"    {name}: {parameters} => {body.format(accesses='accesses(link)')},"
         for name, (parameters, body) in functions.items()
     ]
-    code += ["});", ""]
+    code += ["  };", "};", ""]
     code += [
         f"export const {name} = {parameters} => registersOn({first}).{name}{parameters};"
         for name, (parameters, _) in functions.items()
     ]
-    doc = f"The functions for registers with the messages of a link; those without it have the messages of {first}."
+    doc = f"The functions for registers with the messages of a link; those without it have the messages of {first}. "
+    doc += "Throws RangeError for a link that no message of registers has."
     types += [
         *comment([doc]),
         f"export declare function registersOn(link: {' | '.join(map(literal, links))}): {{",
