@@ -64,9 +64,7 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
     # `varying_widths_end` says what to do about a text.
     if untold is not None and not (untold.value is not None and untold.value.width):
         text = f"{inner.name} has no fixed size, and nothing in it marks the end of {untold.name}"
-        help = (
-            "let a field of it, a `u8` or `u16` before it, count it with `measures`, or let a message have its fields"
-        )
+        help = "let a binary `u8` or `u16` before it count it with `measures`, or let a message have its fields"
         yield finding(_CODE, field.place, "record", text, help, label(untold.place, "name", "has no fixed size"))
     for other in layer.fields:
         measures = other.measures

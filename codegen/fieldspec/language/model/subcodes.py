@@ -34,7 +34,7 @@ def constant_at(field: Field, offset: int, order: str, word_order: str) -> tuple
         return None
     if not is_count(value.encoding) or value.width or value.size > WIDEST:
         return None
-    own = (value.byte_order or order) if value.size > 1 and not value.has_characters else "big"
+    sent_order = (value.byte_order or order) if value.size > 1 and not value.has_characters else "big"
     number = value.const & (1 << 8 * value.size) - 1
     if value.digits:
         if value.codec or is_signed(value.encoding) or not 0 <= value.const <= digit_bounds(value)[1]:
@@ -43,7 +43,7 @@ def constant_at(field: Field, offset: int, order: str, word_order: str) -> tuple
     if orders_of(value, order, word_order)[1]:
         words = [number >> 16 * word & 0xFFFF for word in range(value.size // 2)]
         number = sum(word << 16 * place for place, word in enumerate(reversed(words)))
-    return (offset, value.size, own), number
+    return (offset, value.size, sent_order), number
 
 
 def numbers_at(field: Field, offset: int, order: str, word_order: str) -> tuple[Place, Numbers] | None:

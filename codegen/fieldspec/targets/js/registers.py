@@ -242,11 +242,12 @@ def declare_accesses(names: Names) -> Declaration:
             code += [f"export const {name} = {parameters} => {body.format(accesses='accesses()')};"]
             code += [""] * (name != "readRequests")
         return Declaration(code, types)
-    first = literal(links[0])
+    first_link = literal(links[0])
     code += ["const accesses = (link) => [", *table, "].filter((access) => access.links.includes(link));", ""]
-    known, text = ", ".join(map(literal, links)), ", ".join(links)
+    literals, names_text = ", ".join(map(literal, links)), ", ".join(links)
     code += ["export const registersOn = (link) => {"]
-    code += [f"  if (![{known}].includes(link)) throw new RangeError(`there is no link ${{link}}; known are {text}`);"]
+    code += [f"  if (![{literals}].includes(link)) {{"]
+    code += [f"    throw new RangeError(`there is no link ${{link}}; known are {names_text}`);", "  }"]
     code += ["  return {"]
     code += [
         f"    {name}: {parameters} => {body.format(accesses='accesses(link)')},"
@@ -254,10 +255,12 @@ def declare_accesses(names: Names) -> Declaration:
     ]
     code += ["  };", "};", ""]
     code += [
-        f"export const {name} = {parameters} => registersOn({first}).{name}{parameters};"
+        f"export const {name} = {parameters} => registersOn({first_link}).{name}{parameters};"
         for name, (parameters, _) in functions.items()
     ]
-    doc = f"The functions for registers with the messages of a link; those without it have the messages of {first}. "
+    doc = (
+        f"The functions for registers with the messages of a link; those without it have the messages of {first_link}. "
+    )
     doc += "Throws RangeError for a link that no message of registers has."
     types += [
         *comment([doc]),

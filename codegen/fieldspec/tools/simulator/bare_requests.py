@@ -73,8 +73,8 @@ def _reader(link: LinkLayout, kind: Any) -> tuple[MessageLayout, Getters] | None
         return None
     record = messages[0].request
     getters = [(field.name, _getter(record, field, kind)) for field in record.fields]
-    known = [(name, getter) for name, getter in getters if getter is not None]
-    return (messages[0], known) if len(known) == len(getters) else None
+    readable = [(name, getter) for name, getter in getters if getter is not None]
+    return (messages[0], readable) if len(readable) == len(getters) else None
 
 
 def _has_fixed_places(record: RecordLayout) -> bool:
