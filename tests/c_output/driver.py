@@ -23,23 +23,23 @@ static int hex(const char *text, uint8_t *out)
 
 static void show(const uint8_t *data, size_t size)
 {
-    size_t at;
-    for (at = 0; at < size; at++) {
-        printf("%02x", data[at]);
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        printf("%02x", data[offset]);
     }
 }
 
 int main(void)
 {
-    static char name[256], text[4096];
-    static uint8_t data[2048], again[4096], buffer[4096];
-    char line[8192];
+    static char name[256], text[131073];
+    static uint8_t data[65536], again[65536], buffer[65536];
+    static char line[131584];
     (void)buffer;
     while (fgets(line, sizeof line, stdin)) {
         size_t length = 0;
         int size = 0, status = -1, second = -1;
         text[0] = 0;
-        if (sscanf(line, "%255s %4095s", name, text) >= 1) {
+        if (sscanf(line, "%255s %131072s", name, text) >= 1) {
             size = hex(text, data);
         }
         CASES

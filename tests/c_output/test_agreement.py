@@ -37,6 +37,9 @@ INVENTED_DEVICES = [
     "scanner",
     "widget",
     "courier",
+    "observer",
+    "heatmeter",
+    "coupler",
 ]
 DEVICES = [*((SPECS, device) for device in REAL_DEVICES), *((TEST_SPECS, device) for device in INVENTED_DEVICES)]
 TRIES = 60
