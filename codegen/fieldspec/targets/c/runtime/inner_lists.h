@@ -48,7 +48,7 @@ static inline device_codec_status device_take_list(const device_inner_list *list
     device_codec_status status;
     *size = SIZE_MAX;
     *taken = left;
-    if (list->follows != NULL) {
+    if (list->follows != NULL || (list->element_size != NULL && list->decided_size != NULL)) {
         *size = device_first_element(list, fields);
     } else if (list->decided_size != NULL) {
         status = device_take_decided(list, fields, size);

@@ -122,7 +122,10 @@ static inline size_t device_count_elements(device_follows follows, const uint8_t
     return count;
 }
 
-/** The bytes of the first element of a list whose elements tell whether others follow; 0 if there is none. */
+/**
+ * The bytes of the first element of a list whose elements tell whether others follow, or of an optional record that
+ * varies in size; 0 if there is none.
+ */
 static inline size_t device_first_element(const device_inner_list *list, const uint8_t *image)
 {
     return list->decided_size != NULL && list->decided_size(image) == 0u ? 0u : list->element;
