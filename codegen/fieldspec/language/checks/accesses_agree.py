@@ -25,7 +25,6 @@ from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.table_records import TableRecord, table_records
 
-_CODE = "accesses_agree"
 _HELP = "correct one of them: outputs use the narrower access"
 _VERBS = (("read", readable), ("written", writable))
 
@@ -48,10 +47,10 @@ def _of_message(data: Record, direction: str, verb: str, refused: str) -> Iterat
     for field in data.fields:
         if field.access == refused and "access" in field.place:
             text = f"{field.name} is a field of a {direction}, which a controller {verb}, but its access is {refused}"
-            yield finding(_CODE, field.place, "access", text, "remove it: the message says who sends the field")
+            yield finding(field.place, "access", text, "remove it: the message says who sends the field")
         if "atomic" in field.place:
             text = f"{field.name} is a field of a {direction}, which is sent whole, so that `atomic` does not apply"
-            yield finding(_CODE, field.place, "atomic", text, "remove it, or state it at the register")
+            yield finding(field.place, "atomic", text, "remove it, or state it at the register")
 
 
 def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
@@ -63,7 +62,7 @@ def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
             names = enumeration(list(dict.fromkeys(use.name for use in uses)))
             text = f"{field.name} can be {verb} by its access, {field.access}, but not as a part of {names}"
             related_label = label(uses[0].place, "access", f"the access of {uses[0].name}")
-            yield finding(_CODE, field.place, "access", text, _HELP, related_label)
+            yield finding(field.place, "access", text, _HELP, related_label)
 
 
 def _of_table(table: Table, record: Record) -> Iterator[Diagnostic]:
@@ -75,4 +74,4 @@ def _of_table(table: Table, record: Record) -> Iterator[Diagnostic]:
         if allows(table.access) and not any(allows(field.access) for field in fields):
             text = f"{table.name} can be {verb} by its access, {table.access}, but no field of {record.name} can"
             related_label = label(fields[0].place, "access", f"the access of {fields[0].name}")
-            yield finding(_CODE, table.place, "access", text, _HELP, related_label)
+            yield finding(table.place, "access", text, _HELP, related_label)

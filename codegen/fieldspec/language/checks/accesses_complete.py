@@ -21,8 +21,6 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field, Message, RegisterAccess
 
-_CODE = "accesses_complete"
-
 
 def accesses_complete(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
@@ -39,7 +37,7 @@ def accesses_complete(device: Device) -> Iterator[Diagnostic]:
                 text += f"{access.operation} registers by the message"
                 help = "state its `const`, or remove `accesses` from the message"
                 related_label = label(message.place, "accesses", "the fields that clients fill")
-                yield finding(_CODE, field.place, "name", text, help, related_label)
+                yield finding(field.place, "name", text, help, related_label)
         yield from _constants(message, access, packed=device.bit_access(message) is not None)
 
 
@@ -57,7 +55,7 @@ def _constants(message: Message, access: RegisterAccess, packed: bool) -> Iterat
             f"{field.name} is the {noun} in {message.name}, but `{key}` says what is sent, whatever register is meant"
         )
         help = f"remove `{key}`, or remove `accesses`: users then send the message as any other"
-        yield finding(_CODE, field.place, key, text, help)
+        yield finding(field.place, key, text, help)
 
 
 def _is_filled(field: Field) -> bool:

@@ -29,7 +29,6 @@ def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
                 other = rows[number - 1] if number else rows[1]
                 relation = "after" if number else "before"
                 yield finding(
-                    "addresses_ascending",
                     row.place,
                     "at",
                     f"{row.name} at {hexadecimal(row.address)} breaks the order of {group.name}",

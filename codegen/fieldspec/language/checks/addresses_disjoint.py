@@ -32,7 +32,6 @@ def addresses_disjoint(device: Device) -> Iterator[Diagnostic]:
             if pair not in reported:
                 reported.add(pair)
                 yield finding(
-                    "addresses_disjoint",
                     block.fact.place,
                     block.key,
                     f"{block.name} at {addresses(block.first, block.last)} overlaps {furthest.name}",
@@ -51,7 +50,6 @@ def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
         if register.count > 1 and register.stride < register.width:
             yield finding(
-                "addresses_disjoint",
                 register.place,
                 "stride",
                 f"elements of {register.name} have {plural(register.width, device.space(register.space).unit)}"

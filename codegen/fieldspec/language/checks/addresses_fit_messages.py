@@ -22,7 +22,6 @@ from fieldspec.language.model.record import Field, Message
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.value import Value
 
-_CODE = "addresses_fit_messages"
 _REFUSED = {"read": "wo", "write": "ro"}
 _HELP = "correct the type or the range of the field, or the address"
 
@@ -65,4 +64,4 @@ def _contains(value: Value, first: int, last: int) -> bool:
 def _finding(message: Message, field: Field, fact: Fact, key: str, address: int) -> Diagnostic:
     text = f"{fact.name} has the address {hexadecimal(address)}, which {field.name} of {message.name} cannot contain"
     related_label = label(field.place, "range" if "range" in field.place else "type", "the field with the address")
-    return finding(_CODE, fact.place, key, text, _HELP, related_label)
+    return finding(fact.place, key, text, _HELP, related_label)

@@ -30,7 +30,7 @@ def addresses_within_space(device: Device) -> Iterator[Diagnostic]:
     for space in device.spaces.values():
         if space.bounds.low < 0 or space.bounds.high >= SPACE:
             text = f"{space.name} has bounds beyond 0..0xFFFF, the addresses that a space may have"
-            yield finding("addresses_within_space", space.place, "bounds", text, _WIDE)
+            yield finding(space.place, "bounds", text, _WIDE)
     sizes = RecordSizes(device)
     for table in device.tables.values():
         last = table.base + (table.count - 1) * table.stride + table_words(table, sizes) - 1
@@ -41,9 +41,9 @@ def _of(device: Device, fact: Fact, name: str, key: str, first: int, last: int) 
     space = device.space(name)
     if last >= SPACE:
         text = f"{fact.name} ends at {hexadecimal(last)}; the last address is 0xFFFF"
-        yield finding("addresses_within_space", fact.place, key, text, _HELP)
+        yield finding(fact.place, key, text, _HELP)
     elif not any(low <= first and last <= high for low, high in space.bounds.intervals):
         bounds = ", ".join(f"{hexadecimal(low)}..{hexadecimal(high)}" for low, high in space.bounds.intervals)
         text = f"{fact.name} at {hexadecimal(first)}..{hexadecimal(last)} is not within {space.name}"
         related_label = label(space.place, "bounds", f"{space.name} has the addresses {bounds}")
-        yield finding("addresses_within_space", fact.place, key, text, _HELP, related_label)
+        yield finding(fact.place, key, text, _HELP, related_label)

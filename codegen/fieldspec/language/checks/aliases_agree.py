@@ -29,16 +29,14 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
     for register in device.registers():
         other = registers.get(register.same_as)
         if other is register:
-            yield finding("aliases_agree", register.place, "same_as", f"{register.name} is itself", "remove `same_as`")
+            yield finding(register.place, "same_as", f"{register.name} is itself", "remove `same_as`")
         elif other is not None:
             yield from _compare_values(f"{register.name} is {other.name}", register, register.value, other, other.value)
     for record in device.records.values():
         alike = device.records.get(record.same_as)
         if alike is not None and (alike is record or not any(alike.named(field.name) for field in record.fields)):
             text = f"{record.name} is itself" if alike is record else f"no field of {record.name} is in {alike.name}"
-            yield finding(
-                "aliases_agree", record.place, "same_as", text, "give both the same names, or remove `same_as`"
-            )
+            yield finding(record.place, "same_as", text, "give both the same names, or remove `same_as`")
         for field in record.fields:
             same = alike.named(field.name) if alike is not None else None
             yield from _echo(field, same, f"{field.name} is the same as in {record.same_as}")
@@ -68,13 +66,11 @@ def _repeats(field: Field, same: Field | None, text: str) -> Iterator[Diagnostic
         return
     if _elements(field) != _elements(same):
         key, related_label = _elements_key(field), label(same.place, _elements_key(same), f"in {same.name}")
-        yield finding(
-            "aliases_agree", field.place, key, f"{text}, but has a different number of elements", _HELP, related_label
-        )
+        yield finding(field.place, key, f"{text}, but has a different number of elements", _HELP, related_label)
     mine = field.value.const if field.value is not None else None
     if mine is not None and same.value is not None and mine != same.value.const:
         related_label = label(same.place, "const" if "const" in same.place else "name", f"in {same.name}")
-        yield finding("aliases_agree", field.place, "const", f"{text}, but is always the same", _HELP, related_label)
+        yield finding(field.place, "const", f"{text}, but is always the same", _HELP, related_label)
 
 
 def _elements(field: Field) -> object:
@@ -99,7 +95,6 @@ def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Valu
     ):
         if mine != theirs and mine and theirs:
             yield finding(
-                "aliases_agree",
                 fact.place,
                 key,
                 f"{text}, but has a different {key.removeprefix('unit_')}",

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 
-from fieldspec.language.checks.finding import Allowance, finding
+from fieldspec.language.checks.finding import Allowance, finding_of
 from fieldspec.language.diagnostics import Diagnostic
 
 
@@ -38,4 +38,4 @@ def _position(allowance: Allowance) -> tuple[str, str, int]:
 
 
 def _finding(allowance: Allowance, text: str, help: str) -> Diagnostic:
-    return finding("allowances_used", allowance.fact.place, "allow", text, help)
+    return finding_of("allowances_used", allowance.fact.place, "allow", text, help)

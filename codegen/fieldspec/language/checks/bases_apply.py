@@ -23,8 +23,6 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register, Table
 from fieldspec.language.model.sizes import RecordSizes
 
-_CODE = "bases_apply"
-
 
 def bases_apply(device: Device) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
@@ -37,7 +35,7 @@ def bases_apply(device: Device) -> Iterator[Diagnostic]:
         if wrong:
             text = f"{register.name} cannot be the address of {table.name}: {wrong}"
             help = "name the register with the address of the first element, or correct that register"
-            yield finding(_CODE, table.place, "base_by", text, help, label(register.place, "name", "the register"))
+            yield finding(table.place, "base_by", text, help, label(register.place, "name", "the register"))
         yield from _detections(device, table)
 
 
@@ -68,4 +66,4 @@ def _detections(device: Device, table: Table) -> Iterator[Diagnostic]:
     for line in device.lines:
         if line.detected_by is not None and line.detected_by.fact in paths:
             text = f"the version is detected by a field of {table.name}, whose address depends on the device"
-            yield finding(_CODE, table.place, "base_by", text, "name a register under `detected_by`")
+            yield finding(table.place, "base_by", text, "name a register under `detected_by`")

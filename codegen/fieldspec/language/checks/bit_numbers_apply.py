@@ -24,7 +24,6 @@ from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 
-_CODE = "bit_numbers_apply"
 _KEYS = ("signed", "scale", "offset", "unit")
 _LEVEL_KEYS = ("zero", "one", "active")
 
@@ -38,7 +37,7 @@ def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
             if bounded:
                 text = f"{part.name} is a part of a frame, to which the range of {bounded[0].name} does not apply"
                 related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
-                yield finding(_CODE, part.place, "flags", text, "use a word of bits without a range", related_label)
+                yield finding(part.place, "flags", text, "use a word of bits without a range", related_label)
 
 
 def _of_sentinels(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
@@ -47,7 +46,7 @@ def _of_sentinels(device: Device, fact: Fact, value: Value) -> Iterator[Diagnost
         text = f"{fact.name} has special values, which the range of {bounded[0].name} does not except"
         related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
         help = "remove one of them, or use a word of bits without a range"
-        yield finding(_CODE, fact.place, "sentinels", text, help, related_label)
+        yield finding(fact.place, "sentinels", text, help, related_label)
 
 
 def _of_word(word: Flags) -> Iterator[Diagnostic]:
@@ -57,7 +56,7 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
         for key in _LEVEL_KEYS:
             if bit.width > 1 and key in bit.place:
                 text = f"{bit.name} has {bit.width} bits, to which `{key}` does not apply"
-                yield finding(_CODE, bit.place, key, text, "name the numbers with an `enum`, or divide the bits")
+                yield finding(bit.place, key, text, "name the numbers with an `enum`, or divide the bits")
 
 
 def _of_number(word: Flags, bit: Bit) -> Iterator[Diagnostic]:
@@ -73,7 +72,7 @@ def _of_number(word: Flags, bit: Bit) -> Iterator[Diagnostic]:
         reason, help = f"fills {word.name}", "state the word as a value of a signed type"
     if reason:
         text = f"{bit.name} {reason}, to which `{keys[0]}` does not apply"
-        yield finding(_CODE, bit.place, keys[0], text, help)
+        yield finding(bit.place, keys[0], text, help)
 
 
 def _of_range(bit: Bit) -> Iterator[Diagnostic]:
@@ -87,4 +86,4 @@ def _of_range(bit: Bit) -> Iterator[Diagnostic]:
     elif bit.when:
         reason, help = "has its meaning under a condition only", "remove it, and state the range in `doc`"
     if reason:
-        yield finding(_CODE, bit.place, key, f"{bit.name} {reason}, to which `{key}` does not apply", help)
+        yield finding(bit.place, key, f"{bit.name} {reason}, to which `{key}` does not apply", help)

@@ -52,7 +52,6 @@ def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | Non
     whole = word.type.high if all_bits.bit_length() == word.type.high.bit_length() else useful
     if ranges.intervals not in (((0, all_bits),), ((0, useful),), ((0, highest),), ((0, whole),)):
         yield finding(
-            "bits_match_range",
             fact.place,
             range_key(fact.place),
             f"the range of {fact.name} is {ranges.text()}; its bits give 0..{useful}",
@@ -66,9 +65,7 @@ def _compare_words(fact: Fact, value: Value, word: Flags) -> Iterator[Diagnostic
     if word.ranges is not None and value.ranges is None and value.const is None:
         text = f"{fact.name} states no range, but the words {word.name} have the range {word.ranges.text()}"
         related_label = label(word.place, "range", word.name)
-        yield finding(
-            "bits_match_range", fact.place, "flags", text, f"add `range: {word.ranges.text()}`", related_label
-        )
+        yield finding(fact.place, "flags", text, f"add `range: {word.ranges.text()}`", related_label)
 
 
 def _highest(device: Device, bit: Bit) -> int:

@@ -29,7 +29,6 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
         clash = next((other for other in same_bit_owners if not _apart(bit, other)), None)
         if clash is not None:
             yield finding(
-                "bits_unique",
                 bit.place,
                 _key(bit),
                 f"{bit.name} uses {_claim(bit)} of {word.name}, which {clash.name} also uses",

@@ -60,4 +60,4 @@ def _compare_defaults(fact: Fact, value: Value, other: Fact, above: Value) -> It
     if isinstance(low, int) and isinstance(high, int) and low >= high and (low, high) != (0, 0):
         text = f"the default of {fact.name} is {low}, but the default of {other.name} is {high}"
         related_label = label(other.place, default_key(other.place), "the upper bound")
-        yield finding("bounds_ordered", fact.place, default_key(fact.place), text, "correct one of them", related_label)
+        yield finding(fact.place, default_key(fact.place), text, "correct one of them", related_label)

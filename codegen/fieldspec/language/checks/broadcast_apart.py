@@ -18,8 +18,6 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import is_count
 
-_CODE = "broadcast_apart"
-
 
 def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
@@ -29,7 +27,7 @@ def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
         if stations.ranges is not None and stations.broadcast in stations.ranges:
             text = f"{stations.broadcast} is the broadcast address and also a unit address"
             related_label = label(stations.place, "range", "the stations")
-            yield finding(_CODE, stations.place, "broadcast", text, "correct one of them", related_label)
+            yield finding(stations.place, "broadcast", text, "correct one of them", related_label)
         part = next((part for part in link.request if part.role == "unit_address" and part.value), None)
         value = part.value if part is not None else None
         if value is None or not is_count(value.encoding):
@@ -37,4 +35,4 @@ def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
         if not value.low <= stations.broadcast <= value.high:
             kind = digits_text(value) if value.digits else value.type.name
             text = f"the address {stations.broadcast} does not fit {kind}"
-            yield finding(_CODE, stations.place, "broadcast", text, "correct the address or the type")
+            yield finding(stations.place, "broadcast", text, "correct the address or the type")

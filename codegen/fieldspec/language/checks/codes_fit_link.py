@@ -24,8 +24,6 @@ from fieldspec.language.model.record import Message
 from fieldspec.language.model.sizes import messages_on
 from fieldspec.language.model.value import Value
 
-_CODE = "codes_fit_link"
-
 
 def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
@@ -41,14 +39,12 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
             mark = f"the code {error.code:#x}" if error.code is not None else f"the bit {error.flag:#x}"
             text = f"{part.name} is {_kind(part.value)} and cannot hold {mark}"
             help = "correct the bit or the part's type"
-            yield finding(
-                _CODE, link.place, "exception_response", text, help, label(part.place, "type", part.value.type.name)
-            )
+            yield finding(link.place, "exception_response", text, help, label(part.place, "type", part.value.type.name))
         if link.exception_response is not None and link.exception_response.flag and part.value.digits == "decimal":
             text = f"{part.name} is sent as decimal digits, in which no bit marks an exception response"
             help = "state the mark as `code`, `part` or `field`"
             related_label = label(part.place, "digits", part.name)
-            yield finding(_CODE, link.place, "exception_response", text, help, related_label)
+            yield finding(link.place, "exception_response", text, help, related_label)
         for message in messages_on(device, link):
             wide = list(_wide(link, message))
             yield from wide
@@ -68,7 +64,7 @@ def _wide(link: Link, message: Message) -> Iterator[Diagnostic]:
             printed = str(code) if value.digits == "decimal" else f"{code:#x}"
             text = f"the code {printed} does not fit {part.name}, which is {_kind(value)}"
             help = "correct the code or the part's type"
-            yield finding(_CODE, message.place, key, text, help, label(part.place, "type", part.name))
+            yield finding(message.place, key, text, help, label(part.place, "type", part.name))
             break
 
 
@@ -91,10 +87,10 @@ def _check_flag(link: Link, message: Message) -> Iterator[Diagnostic]:
     related_label = label(link.place, "exception_response", f"exception responses on {link.name}")
     if code == error.code:
         text = f"{message.name} has the code {code:#x} of exception responses"
-        yield finding(_CODE, message.place, key, text, "correct one of the codes", related_label)
+        yield finding(message.place, key, text, "correct one of the codes", related_label)
     if code & error.flag:
         text = f"the code {code:#x} has the bit {error.flag:#x}, which marks an exception response"
         help = "correct the code or the bit"
         if key == "response_code":
             help += ", which exception responses have besides the code of the response"
-        yield finding(_CODE, message.place, key, text, help, related_label)
+        yield finding(message.place, key, text, help, related_label)

@@ -42,7 +42,7 @@ def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
         else:
             continue
         help = "set `trigger: true`, or correct the access"
-        yield finding("commands_are_triggers", fact.place, key, text, help, severity=Severity.WARNING)
+        yield finding(fact.place, key, text, help, severity=Severity.WARNING)
     uses = table_records(device)
     for record in device.records.values():
         is_setting = any(use.access != "wo" for use in uses.get(record.name, ()))
@@ -50,4 +50,4 @@ def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
             if field.access == "wo":
                 text = f"the field {field.name} of a table can only be written"
                 help = "correct the access, or allow it with a reason"
-                yield finding("commands_are_triggers", field.place, "access", text, help, severity=Severity.WARNING)
+                yield finding(field.place, "access", text, help, severity=Severity.WARNING)

@@ -22,8 +22,6 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register, RegisterGroup
 
-_CODE = "copies_agree"
-
 
 def copies_agree(device: Device) -> Iterator[Diagnostic]:
     registers = {register.name: register for register in device.registers()}
@@ -61,4 +59,4 @@ def _printed(row: Register, original: Register) -> Iterator[Diagnostic]:
 
 
 def _finding(row: Register, original: Register, key: str, text: str, help: str) -> Diagnostic:
-    return finding(_CODE, row.place, key, text, help, label(original.place, key, f"in {original.name}"))
+    return finding(row.place, key, text, help, label(original.place, key, f"in {original.name}"))

@@ -20,8 +20,6 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register, Table
 
-_CODE = "counts_apply"
-
 
 def counts_apply(device: Device) -> Iterator[Diagnostic]:
     for table in device.tables.values():
@@ -30,7 +28,7 @@ def counts_apply(device: Device) -> Iterator[Diagnostic]:
         if register is not None and wrong:
             text = f"{register.name} cannot be the number of elements of {table.name}: {wrong}"
             help = "name the register with the number of elements, or correct that register"
-            yield finding(_CODE, table.place, "count_by", text, help, label(register.place, "name", "the register"))
+            yield finding(table.place, "count_by", text, help, label(register.place, "name", "the register"))
 
 
 def _no_count(device: Device, table: Table, register: Register) -> str:

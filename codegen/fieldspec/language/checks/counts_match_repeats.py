@@ -37,6 +37,4 @@ def counts_match_repeats(device: Device) -> Iterator[Diagnostic]:
             text = f"{message.name} is for {ranges.text()} {unit}s, but {values.name} has {repeat.text()} elements"
             related_label = label(count.place, range_key(count.place), f"the range of {count.name}")
             help = "correct the range or the repetitions, or allow it with a reason"
-            yield finding(
-                "counts_match_repeats", values.place, "repeat", text, help, related_label, severity=Severity.WARNING
-            )
+            yield finding(values.place, "repeat", text, help, related_label, severity=Severity.WARNING)

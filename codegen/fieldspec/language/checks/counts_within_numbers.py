@@ -17,8 +17,6 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 
-_CODE = "counts_within_numbers"
-
 
 def counts_within_numbers(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
@@ -33,4 +31,4 @@ def counts_within_numbers(device: Device) -> Iterator[Diagnostic]:
                 text = f"{first.name} and {count.name} of {message.name} reach {last}, "
                 text += f"but the last number is {starts.high}"
                 help = "narrow a range, or allow it with what the manual leaves open, and write an erratum"
-                yield finding(_CODE, count.place, "range", text, help, label(first.place, "range", "the first one"))
+                yield finding(count.place, "range", text, help, label(first.place, "range", "the first one"))

@@ -32,7 +32,6 @@ def data_words_match(device: Device) -> Iterator[Diagnostic]:
             actual = plural(bounds[0], "byte") if bounds[0] == bounds[1] else f"{bounds[0]} to {bounds[1]} bytes"
             text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}, but it has {actual}"
             yield finding(
-                "data_words_match",
                 message.place,
                 "data_words",
                 text,

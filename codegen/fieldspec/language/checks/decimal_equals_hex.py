@@ -33,7 +33,6 @@ def _compare_addresses(
         return
     if first:
         yield finding(
-            "decimal_equals_hex",
             place,
             "decimal",
             f"{decimal} is the number of {hexadecimal(decimal - first)}, but {name} is at {hexadecimal(address)}",
@@ -42,7 +41,6 @@ def _compare_addresses(
         )
     else:
         yield finding(
-            "decimal_equals_hex",
             place,
             "decimal",
             f"{decimal} is {hexadecimal(decimal)}, but {name} is at {hexadecimal(address)}",

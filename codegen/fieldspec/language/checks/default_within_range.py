@@ -26,7 +26,6 @@ from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 
-_CODE = "default_within_range"
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 
 
@@ -42,7 +41,7 @@ def _of_word(legal: Legal, word: Flags) -> Iterator[Diagnostic]:
         if reason:
             text = f"the default of {bit.name} is {bit.default}, which {reason}"
             labels = (label(bit.place, range_key(bit.place), "the range"),) if bit.ranges else ()
-            yield finding(_CODE, bit.place, default_key(bit.place), text, "correct one of them", *labels)
+            yield finding(bit.place, default_key(bit.place), text, "correct one of them", *labels)
 
 
 def _of_value(device: Device, legal: Legal, fact: Fact, value: Value) -> Iterator[Diagnostic]:
@@ -52,14 +51,14 @@ def _of_value(device: Device, legal: Legal, fact: Fact, value: Value) -> Iterato
     wrong = _wrong_form(device, value, value.default)
     if wrong:
         text, help = wrong
-        yield finding(_CODE, fact.place, key, f"the default of {fact.name} is {text}", help)
+        yield finding(fact.place, key, f"the default of {fact.name} is {text}", help)
         return
     reason = _outside(value, value.default) if isinstance(value.default, str) else legal.objection(value, value.default)
     if reason:
         text = f"the default of {fact.name} is {value.default}, which {reason}"
         help = "correct one of them, or list the value under `sentinels`"
         labels = (label(fact.place, range_key(fact.place), "the range"),) if value.ranges else ()
-        yield finding(_CODE, fact.place, key, text, help, *labels)
+        yield finding(fact.place, key, text, help, *labels)
 
 
 def _wrong_form(device: Device, value: Value, default: int | str) -> tuple[str, str] | None:

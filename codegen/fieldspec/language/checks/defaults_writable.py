@@ -33,13 +33,9 @@ def defaults_writable(device: Device) -> Iterator[Diagnostic]:
             text = f"a change of {fact.name} needs a restart, and it can only be read"
             related_label = label(fact.place, "restart", "what changes need")
             help = "correct the access, or remove `restart`"
-            yield finding(
-                "defaults_writable", fact.place, "access", text, help, related_label, severity=Severity.WARNING
-            )
+            yield finding(fact.place, "access", text, help, related_label, severity=Severity.WARNING)
         elif fact.access == "ro" and fact.value is not None and fact.value.default is not None:
             text = f"{fact.name} has a default, and can only be read"
             related_label = label(fact.place, default_key(fact.place), "its value at delivery")
             help = "correct the access, or remove the default"
-            yield finding(
-                "defaults_writable", fact.place, "access", text, help, related_label, severity=Severity.WARNING
-            )
+            yield finding(fact.place, "access", text, help, related_label, severity=Severity.WARNING)

@@ -48,7 +48,6 @@ def _of_key(rows: Iterable[Fact], key: str) -> Iterator[Diagnostic]:
         other = first.setdefault(text, row) if text else row
         if other is not row and _NUMBER.sub("", other.name) != _NUMBER.sub("", row.name):
             yield finding(
-                "descriptions_differ",
                 row.place,
                 key,
                 f"{other.name} and {row.name} have the same description",

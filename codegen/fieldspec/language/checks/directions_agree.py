@@ -21,7 +21,6 @@ from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.sizes import messages_on, part_size
 
-_CODE = "directions_agree"
 _COMPUTED = ("length", "checksum")
 _HELP = "correct one of them, or allow this with a reason"
 
@@ -50,7 +49,7 @@ def _roles(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]:
             text = f"{own.name} is a {own.role} only in each {direction} on {link.name}; "
             text += "users state it in the other direction"
             related_label = label(own.place, "role", f"the role in each {direction}")
-            yield finding(_CODE, other.place, "name", text, _HELP, related_label, severity=Severity.WARNING)
+            yield finding(other.place, "name", text, _HELP, related_label, severity=Severity.WARNING)
 
 
 def _is_stated(part: Part) -> bool:
@@ -72,7 +71,7 @@ def _computed(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]
         text = f"{request.name} of requests and of responses on {link.name} differ in `{key}`"
         related_label = label(request.place, key if key in request.place else "name", "the part of requests")
         response_key = key if key in response.place else "name"
-        yield finding(_CODE, response.place, response_key, text, _HELP, related_label, severity=Severity.WARNING)
+        yield finding(response.place, response_key, text, _HELP, related_label, severity=Severity.WARNING)
 
 
 def _keys(part: Part) -> dict[str, object]:

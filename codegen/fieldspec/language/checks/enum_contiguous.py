@@ -34,20 +34,18 @@ def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
         if enum.sparse:
             if enum.gaps:
                 text = f"{enum.name} is sparse, so it has no list of gaps"
-                yield finding("enum_contiguous", enum.place, "gaps", text, "remove `gaps`, or `sparse`")
+                yield finding(enum.place, "gaps", text, "remove `gaps`, or `sparse`")
             continue
         declared = _declared(enum)
         if declared is None:
             text = f"`{enum.gaps.partition(':')[0]}` is not a list of values"
-            yield finding("enum_contiguous", enum.place, "gaps", text, "write it like `16, 20..23: the reason`")
+            yield finding(enum.place, "gaps", text, "write it like `16, 20..23: the reason`")
             continue
         span = Ranges(((min(values), max(values)),))
         for low, high in declared:
             if low > high or low < span.low or high > span.high or any(low <= value <= high for value in values):
                 text = f"the gap {interval(low, high)} of {enum.name} contains a member, or is outside the list"
-                yield finding(
-                    "enum_contiguous", enum.place, "gaps", text, "name the values that are missing from the list"
-                )
+                yield finding(enum.place, "gaps", text, "name the values that are missing from the list")
                 break
         if _are_masks(values):
             continue
@@ -66,7 +64,6 @@ def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[in
     if left:
         next_member = min((m for m in enum.members if m.value > left[0][1]), key=lambda member: member.value)
         yield finding(
-            "enum_contiguous",
             enum.place,
             "gaps" if enum.gaps else "name",
             f"{enum.name} does not list {enumeration([interval(*hole) for hole in left])}",

@@ -38,7 +38,7 @@ def _of_aliases(enum: Enum) -> Iterator[Diagnostic]:
                 text = f"the alias `{alias}` of {member.name} is already a name of {other.name}"
                 related_label = label(other.place, "name", f"the value {other.value}")
                 help = "remove it from one of them"
-                yield finding("enum_names_unique", member.place, "aliases", text, help, related_label)
+                yield finding(member.place, "aliases", text, help, related_label)
 
 
 def _of_key(enum: Enum, key: str) -> Iterator[Diagnostic]:
@@ -50,7 +50,6 @@ def _of_key(enum: Enum, key: str) -> Iterator[Diagnostic]:
         other = first.setdefault(text, member)
         if other is not member:
             yield finding(
-                "enum_names_unique",
                 member.place,
                 key,
                 f"{other.value} and {member.value} of {enum.name} have the same {_WORDS[key]}, `{text}`",

@@ -25,7 +25,6 @@ def enum_values_unique(device: Device) -> Iterator[Diagnostic]:
             other = first.setdefault(member.value, member)
             if other is not member:
                 yield finding(
-                    "enum_values_unique",
                     member.place,
                     "value",
                     f"{enum.name} has the value {member.value} twice, as {other.name} and as {member.name}",

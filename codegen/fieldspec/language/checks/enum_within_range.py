@@ -61,4 +61,4 @@ def _excluded(value: Value, member: Member) -> bool:
 def _finding(fact: Fact, key: str, subject: str, members: list[Member]) -> Diagnostic:
     text = f"{subject} cannot hold {enumeration([f'{member.name} ({member.value})' for member in members])}"
     related_label = label(members[0].place, "value", "listed here")
-    return finding("enum_within_range", fact.place, key, text, "correct the range, the type or the list", related_label)
+    return finding(fact.place, key, text, "correct the range, the type or the list", related_label)

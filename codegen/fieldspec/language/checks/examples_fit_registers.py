@@ -25,7 +25,6 @@ from fieldspec.language.model.record import Field, Message, RegisterAccess
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.texts import Example
 
-_CODE = "examples_fit_registers"
 _MOST_WORDS = 0x10000
 _REFUSED = {"read": "wo", "write": "ro"}
 
@@ -60,7 +59,7 @@ def _accessed(
     """The fault of the words that a request addresses: nothing begins there, or its access forbids it."""
     if not addresses.at(access.space, start):
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the register table")
+        yield finding(example.place, "values", text, "correct the frame or the register table")
     carried = len(_data(device, message, example)) // device.space(access.space).unit_size
     count = carried or _request_count(device, message, access.count, example) or 1
     for occupant in addresses.within(access.space, start, min(count, _MOST_WORDS)):
@@ -68,7 +67,7 @@ def _accessed(
             deed = "reads" if access.operation == "read" else "writes"
             text = f"{example.id} {deed} {occupant.fact.name}, whose access is {occupant.access}"
             related_label = label(occupant.holder.place, "access", "the access")
-            yield finding(_CODE, example.place, "values", text, "correct the frame or the access", related_label)
+            yield finding(example.place, "values", text, "correct the frame or the access", related_label)
 
 
 def _valued(
@@ -82,19 +81,19 @@ def _valued(
     if number is None:
         text = f"{name} is not {digits_text(value)} in {example.id}"
         related_label = label(occupant.fact.place, "digits", "its digits")
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the digits", related_label)
+        yield finding(example.place, "values", text, "correct the frame or the digits", related_label)
         return
     if writes and value.const is not None and number != value.const:
         text = f"{name} is {number} in {example.id}, but can only be written with {value.const}"
         related_label = label(occupant.fact.place, "const", "its constant")
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the constant", related_label)
+        yield finding(example.place, "values", text, "correct the frame or the constant", related_label)
         return
     reason = legal.objection(value, number, writes)
     if reason:
         text = f"{name} is {number} in {example.id}, which {reason}"
         key = "write_range" if writes and "write_range" in occupant.fact.place else range_key(occupant.fact.place)
         related_label = label(occupant.fact.place, key, "its permitted values")
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the range", related_label)
+        yield finding(example.place, "values", text, "correct the frame or the range", related_label)
 
 
 def _request_count(device: Device, message: Message, name: str, example: Example) -> int | None:

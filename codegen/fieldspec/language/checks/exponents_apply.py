@@ -30,7 +30,6 @@ from fieldspec.language.model.registers import Register, Table
 from fieldspec.language.model.table_records import table_records
 from fieldspec.language.model.value import MOST_PLACES, Value
 
-_CODE = "exponents_apply"
 _OWN = ("scale", "offset", "enum", "flags", "const", "parameter", "measures", "reserved")
 
 
@@ -60,7 +59,7 @@ def _of_field(
     sibling, register = layer.named(name), registers.get(name)
     if sibling is not None and register is not None:
         text = f"both a field of {layer.name} and a register have the name {name}"
-        yield finding(_CODE, field.place, "scale_by", text, "rename one of them")
+        yield finding(field.place, "scale_by", text, "rename one of them")
     elif sibling is not None:
         yield from _unfit(field, sibling, _no_exponent_beside(field, sibling))
     elif register is not None:
@@ -75,19 +74,19 @@ def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
     """The findings of a value that takes its scale from an exponent and cannot do so."""
     if not is_count(value.encoding):
         text = f"{fact.name} is {value.type.name}, to which `scale_by` does not apply"
-        yield finding(_CODE, fact.place, "scale_by", text, "remove it, or use an integer type")
+        yield finding(fact.place, "scale_by", text, "remove it, or use an integer type")
     for key in _OWN:
         is_stated = value.scale != 1 if key == "scale" else has_key(fact, key)
         if is_stated and not (key == "reserved" and isinstance(fact, Register)):
             text = f"{fact.name} has `{key}`, and takes its scale from {value.scale_by}"
-            yield finding(_CODE, fact.place, key, text, "remove one of them")
+            yield finding(fact.place, key, text, "remove one of them")
 
 
 def _unfit(fact: Register | Field, exponent: Register | Field, wrong: str) -> Iterator[Diagnostic]:
     if wrong:
         kind = "register" if isinstance(exponent, Register) else "field"
         text = f"{exponent.name} cannot be the exponent of {fact.name}: {wrong}"
-        yield finding(_CODE, fact.place, "scale_by", text, f"name the {kind} with the power of ten")
+        yield finding(fact.place, "scale_by", text, f"name the {kind} with the power of ten")
 
 
 def _no_exponent(device: Device, register: Register, exponent: Register) -> str:

@@ -29,4 +29,4 @@ def facts_verified(device: Device) -> Iterator[Diagnostic]:
         names = enumeration([fact.name for fact in unverified])
         text = f"not compared with the manual: {names} of `{section}`"
         help = "compare them, cite the manual, and remove `unverified`"
-        yield finding("facts_verified", unverified[0].place, "unverified", text, help, severity=Severity.WARNING)
+        yield finding(unverified[0].place, "unverified", text, help, severity=Severity.WARNING)

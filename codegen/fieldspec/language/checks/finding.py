@@ -23,6 +23,13 @@ _SEARCHED = 2000
 
 
 def finding(
+    place: Place, key: str, message: str, help: str, *labels: Label, severity: Severity = Severity.ERROR
+) -> Diagnostic:
+    """A finding of a check at the value of a fact's key. The table of checks adds the name of the check."""
+    return finding_of("", place, key, message, help, *labels, severity=severity)
+
+
+def finding_of(
     code: str, place: Place, key: str, message: str, help: str, *labels: Label, severity: Severity = Severity.ERROR
 ) -> Diagnostic:
     """A finding of the rule `code` at the value of a fact's key."""

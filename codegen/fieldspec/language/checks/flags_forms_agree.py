@@ -19,8 +19,6 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
 
-_CODE = "flags_forms_agree"
-
 
 def flags_forms_agree(device: Device) -> Iterator[Diagnostic]:
     forms: dict[str, list[Flags]] = {}
@@ -46,7 +44,7 @@ def _compare_bits(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Di
             text = f"{bit.name} has {theirs} in {other.name} and {mine} in {word.name}, forms of one word"
             related_label = label(same.place, key if key in same.place else "name", f"in {other.name}")
             help = "correct one of them, or allow it with a reason"
-            yield finding(_CODE, bit.place, key, text, help, related_label)
+            yield finding(bit.place, key, text, help, related_label)
 
 
 def _place(bit: Bit) -> str:

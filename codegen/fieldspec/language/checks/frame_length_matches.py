@@ -46,7 +46,6 @@ def _compare_lengths(
         return
     actual = " or ".join(sorted({interval(*pair) for pair in lengths}))
     yield finding(
-        "frame_length_matches",
         message.place,
         "frame_length",
         f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}, but it has {actual}",

@@ -47,7 +47,6 @@ def _undeclared(group: RegisterGroup, occupied: list[tuple[int, int]]) -> Iterat
 
 def _hole(group: RegisterGroup, before: Register, following: Register, low: int, high: int) -> Diagnostic:
     return finding(
-        "gaps_declared",
         following.place,
         "at",
         f"no register and no gap of {group.name} contains {addresses(low, high)}",
@@ -66,7 +65,7 @@ def _wrong(group: RegisterGroup, occupied: list[tuple[int, int]]) -> Iterator[Di
         for low, high in gap.addresses.intervals:
             if low < first or high > last:
                 text = f"the gap {addresses(low, high)} goes beyond the group at {addresses(first, last)}"
-                yield finding("gaps_declared", gap.place, "at", text, help)
+                yield finding(gap.place, "at", text, help)
             elif uncovered(low, high, occupied) != [(low, high)]:
                 text = f"the gap {addresses(low, high)} contains a register or table"
-                yield finding("gaps_declared", gap.place, "at", text, help)
+                yield finding(gap.place, "at", text, help)

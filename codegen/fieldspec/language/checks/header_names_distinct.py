@@ -34,7 +34,7 @@ def header_names_distinct(device: Device) -> Iterator[Diagnostic]:
                         text = f"{field.name} has the name of a part before the body in the {direction}s of {link.name}"
                         related_label = label(part.place, "name", "the part")
                         help = "rename one of them; its `printed_name` keeps the word of the manual"
-                        yield finding("header_names_distinct", field.place, "name", text, help, related_label)
+                        yield finding(field.place, "name", text, help, related_label)
 
 
 def _header(parts: Sequence[Part]) -> Sequence[Part]:

@@ -81,7 +81,6 @@ def _finding(used: _Used, word: str, other: str) -> Diagnostic:
     rare, usual = sorted((word, other), key=lambda spelling: (len(used[spelling]), len(spelling)))
     (place, key), (usual_place, its_key) = used[rare][0], used[usual][0]
     return finding(
-        "identifiers_consistent",
         place,
         key,
         f"`{rare}` differs from `{usual}` by one letter",

@@ -30,7 +30,7 @@ def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
             text = f"the manual is {erratum.illegible} here, but no key of {fact.name} is inferred"
             related_label = label(fact.place, _inferred_key(fact), "inferred from the illegible text")
             help = "add the reason under `inferred`"
-            yield finding("illegible_inferred", erratum.place, "illegible", text, help, related_label)
+            yield finding(erratum.place, "illegible", text, help, related_label)
 
 
 def _inferred_key(fact: Fact) -> str:

@@ -26,7 +26,7 @@ def inferred_keys_present(device: Device) -> Iterator[Diagnostic]:
         for key in fact.inferred:
             if not has_key(fact, key):
                 text = f"{fact.name} has no `{key}` to infer"
-                yield finding("inferred_keys_present", fact.place, "inferred", text, "add it, or remove the reason")
+                yield finding(fact.place, "inferred", text, "add it, or remove the reason")
 
 
 def has_key(fact: Fact, key: str) -> bool:

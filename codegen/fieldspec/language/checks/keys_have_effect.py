@@ -21,7 +21,6 @@ from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Part
 from fieldspec.language.model.record import Field
 
-_CODE = "keys_have_effect"
 _MEANINGS = ("enum", "flags", "unit", "scale", "offset", "sentinels")
 
 
@@ -31,7 +30,7 @@ def keys_have_effect(device: Device) -> Iterator[Diagnostic]:
         if value.const is not None and value.default is not None and not getattr(fact, "trigger", False):
             text = f"{fact.name} is always {value.const}, so that a default has no effect"
             related_label = label(fact.place, "const", "the constant")
-            yield finding(_CODE, fact.place, default_key(fact.place), text, "remove one of them", related_label)
+            yield finding(fact.place, default_key(fact.place), text, "remove one of them", related_label)
         # The manual may print a unit for an address that it does not explain: such rows are documented as printed.
         if isinstance(fact, Field) or (isinstance(fact, Part) and fact.role == "plain"):
             yield from _reserved(fact, fact.reserved)
@@ -45,4 +44,4 @@ def _reserved(fact: Fact, is_reserved: bool, keys: Sequence[str] = _MEANINGS) ->
         if key in fact.place:
             text = f"{fact.name} is reserved, so that `{key}` has no effect"
             help = "remove it, or remove `reserved` if the value has this meaning"
-            yield finding(_CODE, fact.place, key, text, help, label(fact.place, "reserved", "it is ignored"))
+            yield finding(fact.place, key, text, help, label(fact.place, "reserved", "it is ignored"))

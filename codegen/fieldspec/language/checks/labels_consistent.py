@@ -40,7 +40,6 @@ def _odd(family: Sequence[tuple[Record, Field]]) -> Iterator[Diagnostic]:
         alike = field.name == usual or layer is holder
         if not alike and field.value and example.value and _differ(field.value, example.value):
             yield finding(
-                "labels_consistent",
                 field.place,
                 "label",
                 f"{field.name} and {example.name} have the same label, `{field.label}`, but are different values",

@@ -44,7 +44,6 @@ def _of_key(rows: Iterable[Fact], key: str) -> Iterator[Diagnostic]:
         other = first.setdefault(text, row) if text else row
         if other is not row:
             yield finding(
-                "labels_unique",
                 row.place,
                 key,
                 f"{other.name} and {row.name} have the same {_WORDS[key]}, `{text}`",

@@ -26,12 +26,12 @@ def limits_ordered(device: Device) -> Iterator[Diagnostic]:
         ]
         if not rising and not limit.text:
             text = f"{limit.name} has neither a number nor a text"
-            yield finding("limits_ordered", limit.place, "name", text, "state `value`, `min`, `max` or `text`")
+            yield finding(limit.place, "name", text, "state `value`, `min`, `max` or `text`")
         for (before, less), (next_key, next_number) in pairwise(rising):
             if less > next_number:
                 text = f"{limit.name} has the {before} {less} and the {next_key} {next_number}"
                 related_label = label(limit.place, before, f"the {before}")
-                yield finding("limits_ordered", limit.place, next_key, text, "correct one of them", related_label)
+                yield finding(limit.place, next_key, text, "correct one of them", related_label)
 
 
 def _limit_text(

@@ -67,4 +67,4 @@ def _compare_cells(
             text = f"the {subject} {key} is {mine}, but {their} in {other.name}, which otherwise agrees"
             help = "correct one of the cells, or allow the difference with a reason"
             related_label = label(their_row.place, "cells", f"the row of {other.name}")
-            yield finding("lookups_agree", row.place, "cells", text, help, related_label)
+            yield finding(row.place, "cells", text, help, related_label)

@@ -43,7 +43,7 @@ def _of_column(lookup: Lookup, name: str, numbers: Sequence[int]) -> Iterator[Di
                 text = f"{name} is {numbers[index]}, but its column continues with {right}"
                 related_label = label(before.place, "cells", "the row before")
                 help = "correct the cell, or allow it with a reason"
-                yield finding("lookups_regular", row.place, "cells", text, help, related_label)
+                yield finding(row.place, "cells", text, help, related_label)
             return
 
 

@@ -22,7 +22,6 @@ from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.value import Value
 
-_CODE = "measures_match_repeats"
 _KEYS = ("const", "default", "unit_default", "scale", "offset", "enum", "flags", "sentinels", "parameter")
 
 
@@ -37,7 +36,7 @@ def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
                 text = f"{field.name} counts {field.measures.of} of {field.measures.field}, and {field.value.type.name}"
                 help = "use a type without a sign, or allow it with a reason"
                 severity = Severity.WARNING
-                yield finding(_CODE, field.place, "type", f"{text} has a sign", help, severity=severity)
+                yield finding(field.place, "type", f"{text} has a sign", help, severity=severity)
 
 
 def _of_number(field: Field, value: Value) -> Iterator[Diagnostic]:
@@ -45,13 +44,13 @@ def _of_number(field: Field, value: Value) -> Iterator[Diagnostic]:
     assert field.measures is not None
     statement = f"{field.name} counts {field.measures.of} of {field.measures.field}"
     if field.measures.field == field.name:
-        yield finding(_CODE, field.place, "measures", f"{field.name} measures itself", "name another field")
+        yield finding(field.place, "measures", f"{field.name} measures itself", "name another field")
     if not is_count(value.encoding):
-        yield finding(_CODE, field.place, "type", f"{statement}, and is {value.type.name}", "use a whole number")
+        yield finding(field.place, "type", f"{statement}, and is {value.type.name}", "use a whole number")
     for key in _KEYS:
         if key in field.place:
             text = f"{statement}, which encoders compute, so that `{key}` does not apply"
-            yield finding(_CODE, field.place, key, text, "remove it, or remove `measures`")
+            yield finding(field.place, key, text, "remove it, or remove `measures`")
 
 
 def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
@@ -66,7 +65,6 @@ def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[
     low, high = measured.repeat.low * size + plus, measured.repeat.high * size + plus
     if (ranges.low, ranges.high) != (low, high):
         yield finding(
-            _CODE,
             field.place,
             range_key(field.place),
             f"{field.name} has the range {ranges.text()}, but {measured.name}"

@@ -17,7 +17,6 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum, Member
 
-_CODE = "member_numbers_ascending"
 _SMALL = 8
 
 
@@ -33,7 +32,7 @@ def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Iterator[Diagnostic]
         if other is not member:
             text = f"{enum.name} has the number {number} twice, as {other.name} and as {member.name}"
             related_label = label(other.place, "number", other.name)
-            yield finding(_CODE, member.place, "number", text, "correct one of the numbers", related_label)
+            yield finding(member.place, "number", text, "correct one of the numbers", related_label)
     ascent = longest_ascent([number for number, _ in rows])
     if (len(rows) - len(ascent)) * _SMALL > len(rows):
         return
@@ -43,4 +42,4 @@ def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Iterator[Diagnostic]
             relation = "after" if index else "before"
             text = f"{member.name} has the number {number}, which breaks the order of {enum.name}"
             related_label = label(other.place, "number", f"it is listed {relation} {other.name}, {last}")
-            yield finding(_CODE, member.place, "number", text, "correct the number", related_label)
+            yield finding(member.place, "number", text, "correct the number", related_label)

@@ -26,8 +26,6 @@ from fieldspec.language.model.record import Message, Record
 from fieldspec.language.model.sizes import RecordSizes, coded, messages_on, sent_on
 from fieldspec.language.model.subcodes import Numbers, Place, distinct_place, numbers_at
 
-_CODE = "messages_complete"
-
 
 def messages_complete(device: Device) -> Iterator[Diagnostic]:
     for link in device.links.values():
@@ -45,7 +43,7 @@ def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
         if code is None:
             text = f"{message.name} has no code"
             help = "state its `code`, or name the links without codes on which it is sent"
-            yield finding(_CODE, message.place, "code", text, help)
+            yield finding(message.place, "code", text, help)
             continue
         by_code.setdefault(code, []).append(message)
     sizes = RecordSizes(device)
@@ -73,7 +71,7 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
         help += " of one size, or a byte with a `range` of its own"
     if bool(message.request.fields) != bool(other.request.fields):
         help += "; if only their sizes differ, state one message, and these fields as a record with `repeat: 0..1`"
-    yield finding(_CODE, message.place, "code", text, help, label(other.place, "code", other.name))
+    yield finding(message.place, "code", text, help, label(other.place, "code", other.name))
 
 
 def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Diagnostic]:
@@ -84,7 +82,7 @@ def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Dia
         if not is_coded:
             text = f"no code or constant identifies {message.name} on {link.name}, which only the device sends"
             help = "give a part of `response` the role `code`, or name under `links` only links without codes"
-            yield finding(_CODE, message.place, "requested", text, help)
+            yield finding(message.place, "requested", text, help)
             continue
         code = message.code_of("response")
         same = [other for other in answered_messages if other is not message and other.code_of("response") == code]
@@ -93,7 +91,7 @@ def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Dia
             text = f"{message.name} is unrequested, and looks like the response to {same[0].name}"
             help = "correct one of the codes, or give each of them a field with a `const` at the same place"
             related_label = label(same[0].place, "code", same[0].name)
-            yield finding(_CODE, message.place, "requested", text, help, related_label)
+            yield finding(message.place, "requested", text, help, related_label)
 
 
 def _places(device: Device, sizes: RecordSizes, record: Record) -> dict[Place, Numbers]:
@@ -109,7 +107,7 @@ def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
         if other is not message:
             text = f"{message.name} and {other.name} have the number {message.number}"
             related_label = label(other.place, "number", other.name)
-            yield finding(_CODE, message.place, "number", text, "correct one of the numbers", related_label)
+            yield finding(message.place, "number", text, "correct one of the numbers", related_label)
 
 
 def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
@@ -120,23 +118,23 @@ def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
         link = device.links.get(name)
         if link is not None and not sent_on(link, message):
             text = f"{message.name} is answered on {name}, but not sent there"
-            yield finding(_CODE, message.place, "answered_on", text, "leave the link out, or add it to `links`")
+            yield finding(message.place, "answered_on", text, "leave the link out, or add it to `links`")
     link_names = [link.name for link in device.links.values() if sent_on(link, message)]
     silent = [name for name in link_names if not message.is_answered_on(name)]
     if not silent:
         return
     if any(access.operation == "read" for access in message.accesses):
         text = f"{message.name} reads, but is not answered on {', '.join(silent)}"
-        yield finding(_CODE, message.place, "answered_on", text, "remove `accesses`, or `answered_on`")
+        yield finding(message.place, "answered_on", text, "remove `accesses`, or `answered_on`")
     if message.number is not None and message.code is None:
         text = f"{message.name} has no code: its request and its response are sent without each other"
         help = "remove `answered_on`, and add `response: []` if there is none"
-        yield finding(_CODE, message.place, "answered_on", text, help)
+        yield finding(message.place, "answered_on", text, help)
     printed = ("frame_length", message.response_length), ("data_words", message.response_words)
     for key, stated in printed:
         if stated is not None and not message.is_answered:
             text = f"{message.name} is never answered, but `{key}` has a response"
-            yield finding(_CODE, message.place, key, text, "remove the response there, or `answered_on`")
+            yield finding(message.place, key, text, "remove the response there, or `answered_on`")
 
 
 def _check_response_code(device: Device, message: Message) -> Iterator[Diagnostic]:
@@ -148,7 +146,7 @@ def _check_response_code(device: Device, message: Message) -> Iterator[Diagnosti
         names = ", ".join(link.name for link in links)
         text = f"{message.name} has a `response_code`, but responses on {names} have no code"
         help = "remove it, or add the part with the role `code` to `response` of the link"
-        yield finding(_CODE, message.place, "response_code", text, help)
+        yield finding(message.place, "response_code", text, help)
 
 
 def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]:
@@ -163,4 +161,4 @@ def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]
             text = f"{message.name} is sent beside {name}, but {reason}"
             related_label = label(other.place, "supplements" if other.supplements else "name", name)
             help = "name messages of the same link that are sent alone"
-            yield finding(_CODE, message.place, "supplements", text, help, related_label)
+            yield finding(message.place, "supplements", text, help, related_label)

@@ -96,7 +96,7 @@ def _apart(space_name: str, names: Iterable[_Named]) -> Iterator[Diagnostic]:
                 else:
                     text = f"`{name}` and `{other}` of {space_name} become the same name in an output"
                 there_too = label(other_place, "name", f"`{other}`")
-                yield finding("names_unique", place, "name", text, "rename one of them", there_too)
+                yield finding(place, "name", text, "rename one of them", there_too)
                 break
 
 
@@ -122,7 +122,7 @@ def _paths(device: Device) -> Iterator[Diagnostic]:
         if group is not None:
             text = f"`registers/{register.name}` is the path of a register and of a group"
             related_label = label(group.place, "group", "the group")
-            yield finding("names_unique", register.place, "name", text, "rename one of them", related_label)
+            yield finding(register.place, "name", text, "rename one of them", related_label)
 
 
 def _elements(device: Device) -> Iterator[Diagnostic]:
@@ -136,4 +136,4 @@ def _elements(device: Device) -> Iterator[Diagnostic]:
         if array.index_from <= int(number) < array.index_from + array.count:
             text = f"`{register.name}` is also an element of the array `{stem}`"
             related_label = label(array.place, "name", f"it has {array.count} elements")
-            yield finding("names_unique", register.place, "name", text, "rename one of them", related_label)
+            yield finding(register.place, "name", text, "rename one of them", related_label)

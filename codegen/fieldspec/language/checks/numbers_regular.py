@@ -21,7 +21,6 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register
 
-_CODE = "numbers_regular"
 _HELP = "correct the address or the number"
 
 
@@ -34,7 +33,7 @@ def numbers_regular(device: Device) -> Iterator[Diagnostic]:
             if other is not row:
                 text = f"{other.name} and {row.name} have the number {number}"
                 related_label = label(other.place, "number", other.name)
-                yield finding(_CODE, row.place, "number", text, _HELP, related_label)
+                yield finding(row.place, "number", text, _HELP, related_label)
         yield from _uneven(list(first.items()))
 
 
@@ -58,4 +57,4 @@ def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
             right_place = hexadecimal(int(right)) if right.denominator == 1 else f"{float(right):.1f}"
             text = f"{row.name} is number {number} at {hexadecimal(row.address)}, but the others give {right_place}"
             related_label = label(usual.place, "number", f"{usual.name} is one of the others")
-            yield finding(_CODE, row.place, "at", text, _HELP, related_label)
+            yield finding(row.place, "at", text, _HELP, related_label)

@@ -27,8 +27,6 @@ from fieldspec.language.model.registers import Register
 from fieldspec.language.model.sizes import messages_on
 from fieldspec.language.model.value import Value
 
-_CODE = "orders_agree"
-
 
 def orders_agree(device: Device) -> Iterator[Diagnostic]:
     links = list(device.links.values())
@@ -39,13 +37,13 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
                 text = f"the links {ordered[0].name} and {link.name} have different orders"
                 help = "a device has one order; correct one of the links"
                 related_label = label(ordered[0].place, key, f"in {ordered[0].name}")
-                yield finding(_CODE, link.place, key, text, help, related_label)
+                yield finding(link.place, key, text, help, related_label)
     if links and not any(link.word_order for link in links) and _has_words(device):
         for fact, value in values(device):
             if value.has_words and not value.word_order and not isinstance(fact, Part):
                 text = f"{fact.name} has several words, but no link states the word order"
                 related_label = label(fact.place, "type", f"{value.type.name} has {value.size} bytes")
-                yield finding(_CODE, links[0].place, "word_order", text, "add `word_order` to the link", related_label)
+                yield finding(links[0].place, "word_order", text, "add `word_order` to the link", related_label)
                 return
     for link in links:
         yield from _in_words(device, link)
@@ -60,10 +58,10 @@ def _of_write(device: Device, register: Register) -> Iterator[Diagnostic]:
     if register.access == "ro":
         text = f"{register.name} is read-only, so that its words are never written"
         related_label = label(register.place, "access", "its access")
-        yield finding(_CODE, register.place, key, text, "correct one of them", related_label)
+        yield finding(register.place, key, text, "correct one of them", related_label)
     elif value.write_word_order == (value.word_order or device.word_order or value.byte_order or device.byte_order):
         text = f"the words of {register.name} are read in the same order"
-        yield finding(_CODE, register.place, key, text, "remove it, or correct the `word_order`")
+        yield finding(register.place, key, text, "remove it, or correct the `word_order`")
 
 
 def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
@@ -82,12 +80,12 @@ def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
                 text = f"{field.name} has several words, but {link.name} does not state the word order"
                 if isinstance(field, Field) and field.word_span is not None:
                     related_label = label(field.place, "word_span", "the words")
-                    yield finding(_CODE, link.place, "word_order", text, "add `word_order` to the link", related_label)
+                    yield finding(link.place, "word_order", text, "add `word_order` to the link", related_label)
                     return
                 if other is not None:
                     related_label = label(other.place, "word_order", f"{other.name} exchanges the words")
                     help = "add `word_order` to the value, or to the link for all values of several words"
-                    yield finding(_CODE, field.place, "type", text, help, related_label)
+                    yield finding(field.place, "type", text, help, related_label)
                     return
 
 

@@ -22,7 +22,6 @@ from fieldspec.language.model.encoding import Whole
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.value import Value
 
-_CODE = "packed_lists_complete"
 _KEY = "packed_bits"
 _MOST_BITS = 32
 
@@ -35,7 +34,7 @@ def packed_lists_complete(device: Device) -> Iterator[Diagnostic]:
             problem = _problem(field) if field.value is not None else "has several types, of which none is a list"
             if problem:
                 help = f"remove `{_KEY}`, or correct the type"
-                yield finding(_CODE, field.place, _KEY, f"{field.name} {problem}", help)
+                yield finding(field.place, _KEY, f"{field.name} {problem}", help)
             elif field.value is not None:
                 yield from _of_end(layer, field, field.value)
     for table in device.tables.values():
@@ -44,7 +43,7 @@ def packed_lists_complete(device: Device) -> Iterator[Diagnostic]:
             if field.value is not None and field.value.packed_bits:
                 text = f"{field.name} has packed numbers, but {table.name} is a table of registers"
                 related_label = label(table.place, "record", "the table")
-                yield finding(_CODE, field.place, _KEY, text, "state them as registers with bits", related_label)
+                yield finding(field.place, _KEY, text, "state them as registers with bits", related_label)
 
 
 def _problem(field: Field) -> str:
@@ -80,7 +79,7 @@ def _of_end(layer: Record, field: Field, value: Value) -> Iterator[Diagnostic]:
         if other.measures is not None and other.measures.field == field.name and other.measures.of == "bytes":
             text = f"{other.name} counts the bytes of {field.name}, whose numbers have {value.packed_bits} bits"
             help = f"count the elements: `measures: {{items: {field.name}}}`"
-            yield finding(_CODE, other.place, "measures", text, help)
+            yield finding(other.place, "measures", text, help)
     if field.repeat is not None and field is layer.fields[-1] and value.packed_bits < 8:
         text = f"the zeros after the last of {field.name} can be a number of {value.packed_bits} bits"
-        yield finding(_CODE, field.place, "repeat", text, "state its `count`")
+        yield finding(field.place, "repeat", text, "state its `count`")

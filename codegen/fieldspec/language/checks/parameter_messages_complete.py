@@ -21,8 +21,6 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Parameter
 from fieldspec.language.model.value import Conversion
 
-_CODE = "parameter_messages_complete"
-
 _Signals = Mapping[str, frozenset[tuple[str, str]]]
 """By the name of a message, its signals with their directions."""
 
@@ -75,4 +73,4 @@ def _referring(
 def _finding(device: Device, parameter: Parameter, name: str, text: str) -> Diagnostic:
     related_label = label(device.messages[name].place, "name", name)
     help = "add the message under `messages`, or allow it with a reason"
-    return finding(_CODE, parameter.place, "messages", text, help, related_label)
+    return finding(parameter.place, "messages", text, help, related_label)

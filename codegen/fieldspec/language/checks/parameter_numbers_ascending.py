@@ -39,4 +39,4 @@ def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
                 text = f"parameter {number} is listed after {last}"
                 help = "correct one of the numbers"
             related_label = label(before.place, "number", f"the one before is {last}")
-            yield finding("parameter_numbers_ascending", parameter.place, "number", text, help, related_label)
+            yield finding(parameter.place, "number", text, help, related_label)

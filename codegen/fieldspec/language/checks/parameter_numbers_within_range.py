@@ -27,8 +27,6 @@ from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import ParameterSet
 from fieldspec.language.model.value import Value
 
-_CODE = "parameter_numbers_within_range"
-
 
 def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
     for parameter_set in device.parameters.values():
@@ -54,7 +52,7 @@ def _set_numbers(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
         if not any(low <= parameter.number and last <= high for low, high in permitted):
             text = f"{parameter_set.name} has the numbers {numbers.text()}, not {interval(parameter.number, last)}"
             related_label = label(parameter_set.place, "numbers", "the numbers")
-            yield finding(_CODE, parameter.place, "number", text, "correct the number or the set", related_label)
+            yield finding(parameter.place, "number", text, "correct the number or the set", related_label)
 
 
 def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
@@ -68,7 +66,7 @@ def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagno
         instead = " instead of `repeat`" if key == "repeat" else ""
         help = f"state `count: {parameter_count}`{instead}" if parameter_count > 1 else f"remove `{key}`"
         help += ", or correct the list"
-        yield finding(_CODE, field.place, key, text, help, _list(parameter_set))
+        yield finding(field.place, key, text, help, _list(parameter_set))
     parameter = next(
         (candidate for candidate in parameter_set.parameters if candidate.elements or candidate.subindices), None
     )
@@ -76,7 +74,7 @@ def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagno
         text = f"{field.name} has one value for each parameter, but {parameter.name} has elements"
         help = "read the elements by messages of their own, or state them as parameters"
         related_label = label(parameter.place, "elements" if parameter.elements else "subindices", "the elements")
-        yield finding(_CODE, field.place, "parameter", text, help, related_label)
+        yield finding(field.place, "parameter", text, help, related_label)
 
 
 def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Iterator[Diagnostic]:
@@ -97,7 +95,7 @@ def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSe
             faults.append(f"takes {enumeration([interval(*hole) for hole in unlisted])}, which {name} does not list")
         key = range_key(fact.place) if value.ranges is not None else "type"
         text = f"the {'range' if value.ranges is not None else 'type'} of {fact.name} {' and '.join(faults)}"
-        yield finding(_CODE, fact.place, key, text, "correct the range or the list", _list(sets[0]))
+        yield finding(fact.place, key, text, "correct the range or the list", _list(sets[0]))
 
 
 def _list(parameter_set: ParameterSet) -> Label:

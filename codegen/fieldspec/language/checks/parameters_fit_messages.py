@@ -23,7 +23,6 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_octets
 from fieldspec.language.model.record import Field
 
-_CODE = "parameters_fit_messages"
 _VALUES = ("value", "values")
 _BARRED = ("scale", "offset", "flags", "count", "repeat", "reserved")
 """Keys that a field with a single number, subindex or value of a parameter cannot have."""
@@ -50,7 +49,7 @@ def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
                 text = f"{parameter.name} has {parameter.value.size} bytes, which no message can carry"
                 related_label = label(field.place, "name", "a field with the values of these parameters")
                 help = "correct the type of the parameter or of the field"
-                yield finding(_CODE, parameter.place, "type", text, help, related_label, severity=Severity.WARNING)
+                yield finding(parameter.place, "type", text, help, related_label, severity=Severity.WARNING)
 
 
 def _references(device: Device) -> Iterator[Diagnostic]:
@@ -71,14 +70,12 @@ def _of_layer(device: Device, layer: tuple[Field, ...], known: tuple[Field, ...]
         for key in _BARRED:
             if key in field.place:
                 text = f"{field.name} is the {part.part} of a parameter of {part.set}, to which `{key}` does not apply"
-                yield finding(_CODE, field.place, key, text, f"remove `{key}`; the rows of {part.set} have such keys")
+                yield finding(field.place, key, text, f"remove `{key}`; the rows of {part.set} have such keys")
         number_fields = [other for other in known if other.name == part.number]
         if number_fields and not any(_has_number(device, other, part.set) for other in number_fields):
             text = f"{part.number} has no number of {part.set}, of which {field.name} is the {part.part}"
             help = f"name a field with `parameter: {{set: {part.set}, part: number}}`"
-            yield finding(
-                _CODE, field.place, "parameter", text, help, label(number_fields[0].place, "name", "the field")
-            )
+            yield finding(field.place, "parameter", text, help, label(number_fields[0].place, "name", "the field"))
 
 
 def _has_number(device: Device, field: Field, name: str) -> bool:

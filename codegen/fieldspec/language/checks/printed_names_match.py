@@ -20,7 +20,6 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 
-_CODE = "printed_names_match"
 _FORM = re.compile(r"[^{}]*\{(value|number)(?::[0-9]{0,2}[dxXob]?)?\}[^{}]*")
 
 _Rows: TypeAlias = list[tuple[Fact, Mapping[str, int | None]]]
@@ -42,7 +41,7 @@ def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Ite
     if match is None or match[1] not in keys:
         text = f"`{form}` is not a form of a {keys[0]}"
         help = f"write it like `AL.{{{keys[0]}:03X}}`: one pair of braces, and digits in base 2, 8, 10 or 16"
-        yield finding(_CODE, holder.place, "printed_as", text, help)
+        yield finding(holder.place, "printed_as", text, help)
         return
     for row, numbers in rows:
         if numbers[match[1]] is not None:
@@ -56,4 +55,4 @@ def _compare_names(holder: Fact, row: Fact, right: str, key: str) -> Iterator[Di
         if name and name.casefold() != right.casefold():
             text = f"{row.name} is printed as `{name}`, but its {key} gives `{right}`"
             related_label = label(holder.place, "printed_as", "how it is printed")
-            yield finding(_CODE, place, "printed_name", text, f"correct the name or the {key}", related_label)
+            yield finding(place, "printed_name", text, f"correct the name or the {key}", related_label)

@@ -22,4 +22,4 @@ def printed_names_whole(device: Device) -> Iterator[Diagnostic]:
         if "_" in fact.printed_name and len(fact.printed_name.split()) > 1:
             text = f"the printed name `{fact.printed_name}` contains a space"
             help = "write it without the space, or allow it with a reason"
-            yield finding("printed_names_whole", fact.place, "printed_name", text, help)
+            yield finding(fact.place, "printed_name", text, help)

@@ -35,7 +35,7 @@ def _of(lookup: Lookup) -> Iterator[Diagnostic]:
                 text = f"{lookup.name} has {before} and {result} for {', '.join(states)}"
                 related_label = label(first_row.place, "cells", f"{before} here")
                 help = "correct the row, or write an erratum and add an allowance to the table"
-                yield finding("priorities_decide", row.place, "cells", text, help, related_label)
+                yield finding(row.place, "cells", text, help, related_label)
                 break
 
 

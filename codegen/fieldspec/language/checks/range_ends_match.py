@@ -31,4 +31,4 @@ def range_ends_match(device: Device) -> Iterator[Diagnostic]:
             text = f"the range of {fact.name} is {value.ranges.text()}; {value.type.name} holds"
             text += f" {value.type.low}..{value.type.high}"
             help = "correct the other end, or allow it with a reason"
-            yield finding("range_ends_match", fact.place, range_key(fact.place), text, help)
+            yield finding(fact.place, range_key(fact.place), text, help)

@@ -30,7 +30,6 @@ def range_within_enum(device: Device) -> Iterator[Diagnostic]:
         holes = [hole for low, high in sorted(value.ranges.intervals) for hole in uncovered(low, high, known)]
         if holes:
             yield finding(
-                "range_within_enum",
                 fact.place,
                 range_key(fact.place),
                 f"{fact.name} can be {enumeration([interval(*hole) for hole in holes])}, without a name in {enum.name}",

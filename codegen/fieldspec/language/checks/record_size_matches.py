@@ -20,8 +20,6 @@ from fieldspec.language.model.record import Record
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.sizes import RecordSizes
 
-_CODE = "record_size_matches"
-
 
 def record_size_matches(device: Device) -> Iterator[Diagnostic]:
     sizes = RecordSizes(device)
@@ -39,10 +37,10 @@ def _of_record(record: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
             continue
         if size is None:
             text = f"{record.name} is printed with {plural(printed, noun)}, but its size is not fixed"
-            yield finding(_CODE, record.place, key, text, "remove the size or the repetition", fields)
+            yield finding(record.place, key, text, "remove the size or the repetition", fields)
         elif printed * unit_size != size:
             text = f"{record.name} is printed with {plural(printed, noun)}, but its fields have {plural(size, 'byte')}"
-            yield finding(_CODE, record.place, key, text, "correct a field or the size", fields)
+            yield finding(record.place, key, text, "correct a field or the size", fields)
 
 
 def _of_table(table: Table, sizes: RecordSizes, record: Record | None) -> Iterator[Diagnostic]:
@@ -51,17 +49,17 @@ def _of_table(table: Table, sizes: RecordSizes, record: Record | None) -> Iterat
     size = sizes.named(record.name)
     if size is None:
         text = f"elements of {table.name} are {record.name}, whose size is not fixed"
-        yield finding(_CODE, table.place, "record", text, "a table holds records of a fixed size")
+        yield finding(table.place, "record", text, "a table holds records of a fixed size")
         return
     related_label = label(record.place, "fields", f"the fields have {plural(size, 'byte')}")
     if size % 2:
         text = f"elements of {table.name} have {plural(size, 'byte')}, which is not a whole number of words"
-        yield finding(_CODE, table.place, "record", text, "correct a field", related_label)
+        yield finding(table.place, "record", text, "correct a field", related_label)
         return
     if table.words is not None and table.words != size // 2:
         text = f"elements of {table.name} are printed with {plural(table.words, 'word')}"
         text += f", but {record.name} has {size // 2}"
-        yield finding(_CODE, table.place, "words", text, "correct a field or the words", related_label)
+        yield finding(table.place, "words", text, "correct a field or the words", related_label)
     if table.count > 1 and table.stride < size // 2:
         text = f"elements of {table.name} have {plural(size // 2, 'word')}, but the stride is {table.stride}"
-        yield finding(_CODE, table.place, "stride", text, "correct a field or the stride", related_label)
+        yield finding(table.place, "stride", text, "correct a field or the stride", related_label)

@@ -17,7 +17,6 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 
-_CODE = "records_filled"
 _HELP = "add its fields; only exception responses may have none"
 
 
@@ -32,8 +31,6 @@ def records_filled(device: Device) -> Iterator[Diagnostic]:
         if name in users:
             place, user = users[name]
             related_label = label(record.place, "fields", name)
-            yield finding(
-                _CODE, place, "record", f"{user} has no bytes, because {name} has no fields", _HELP, related_label
-            )
+            yield finding(place, "record", f"{user} has no bytes, because {name} has no fields", _HELP, related_label)
         elif name not in excepted:
-            yield finding(_CODE, record.place, "fields", f"{name} has no fields", _HELP)
+            yield finding(record.place, "fields", f"{name} has no fields", _HELP)

@@ -25,4 +25,4 @@ def records_finite(device: Device) -> Iterator[Diagnostic]:
             if field.record in endless:
                 text = f"{name} contains itself, or is nested more than {MOST_LEVELS} deep, through {field.record}"
                 help = "remove the field, or name the intended record"
-                yield finding("records_finite", field.place, "record", text, help)
+                yield finding(field.place, "record", text, help)

@@ -69,7 +69,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         for part in link.request:
             if part.same_as:
                 text = f"the part {part.name} of a request repeats nothing"
-                yield finding("references_resolve", part.place, "same_as", text, "move `same_as` to the response")
+                yield finding(part.place, "same_as", text, "move `same_as` to the response")
         if link.exception_response is not None:
             yield from _named(
                 link.place, "exception_response", "record", link.exception_response.record, device.records
@@ -101,7 +101,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
             if handling.saved_by in paths and handling.saved_by.partition("/")[0] not in _SAVING:
                 text = f"{handling.saved_by} saves nothing: it is neither written nor sent"
                 help = "name a register, a parameter, a field of one, or a message"
-                yield finding("references_resolve", fact.place, "saved_by", text, help)
+                yield finding(fact.place, "saved_by", text, help)
             yield from _named(fact.place, "opposite_of", "fact", handling.opposite_of, paths)
     paths.update(f"examples/{example}" for example in device.examples)
     for note in device.notes:
@@ -122,7 +122,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
 def _named(place: Place, key: str, kind: str, name: str, known: Collection[str]) -> Iterator[Diagnostic]:
     if name and name not in known:
         text = f"there is no {kind} `{name}`"
-        yield finding("references_resolve", place, key, text, near(name, known))
+        yield finding(place, key, text, near(name, known))
 
 
 def _of_exponents(layer: Record, registers: Collection[str]) -> Iterator[Diagnostic]:
@@ -152,7 +152,7 @@ def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diag
     yield from _named(place, "parameter", "parameter set", part.set, sets)
     if part.part == "values" and len(device.sets(part.set)) > 1:
         text = f"the values of {part.set} are in several sets without an order"
-        yield finding("references_resolve", place, "parameter", text, "name one of the sets")
+        yield finding(place, "parameter", text, "name one of the sets")
 
 
 def _of_flags(device: Device, flags: Flags) -> Iterator[Diagnostic]:
@@ -184,7 +184,7 @@ def _of_access(device: Device, message: Message, key: str, access: RegisterAcces
     if space and space not in device.spaces and is_imported(place, device):
         text = f"there is no address space `{space}`, which messages that {device.id} takes from protocols access"
         help = "add the space to `spaces`, or state under `uses` which messages the device has"
-        yield finding("references_resolve", device.place, "id", text, help)
+        yield finding(device.place, "id", text, help)
     else:
         yield from _named(place, key, "address space", space, device.spaces)
     for name in (access.start, access.count, access.and_mask, access.or_mask):
@@ -216,7 +216,7 @@ def _within(
         yield from _named(field.place, "record", "record", field.record, device.records)
         if field.same_as and request is None and not codes:
             text = f"{field.name} is in no response, and only responses repeat what was asked"
-            yield finding("references_resolve", field.place, "same_as", text, "remove `same_as`")
+            yield finding(field.place, "same_as", text, "remove `same_as`")
         else:
             yield from _named(field.place, "same_as", "field", field.same_as, origin)
         yield from _named(field.place, "signal", "signal", field.signal, device.signals)
@@ -260,7 +260,7 @@ def _parameter_references(field: Field, value: Value | None, numbers: Collection
     if not part.number:
         text = f"there is no parameter number for {field.name}"
         help = "name the field that contains it under `number`"
-        yield finding("references_resolve", field.place, "parameter", text, help)
+        yield finding(field.place, "parameter", text, help)
     yield from _named(field.place, "parameter", "field", part.number, numbers)
 
 
@@ -276,7 +276,7 @@ def _of_lookup(device: Device, lookup: Lookup) -> Iterator[Diagnostic]:
             cell = row.cells[index] if index < len(row.cells) else None
             if cell is not None and cell not in names and cell not in numbers:
                 text = f"{enum.name} has no member `{cell}`"
-                yield finding("references_resolve", row.place, "cells", text, near(str(cell), names))
+                yield finding(row.place, "cells", text, near(str(cell), names))
 
 
 def _of_example(device: Device, example: Example) -> Iterator[Diagnostic]:
@@ -286,18 +286,18 @@ def _of_example(device: Device, example: Example) -> Iterator[Diagnostic]:
     yield from _named(place, "reply_to", "example", example.reply_to, device.examples)
     if not example.message and not example.refused and not example.exception_response:
         text = f"{example.id} names no message"
-        yield finding("references_resolve", place, "message", text, "name the message, or state why it is `refused`")
+        yield finding(place, "message", text, "name the message, or state why it is `refused`")
     link, message = device.links.get(example.link), device.messages.get(example.message)
     if link is not None and message is not None and not sent_on(link, message):
         text = f"{message.name} is not sent on the link {link.name}"
-        yield finding("references_resolve", place, "link", text, "name the link, or the message, of the frame")
+        yield finding(place, "link", text, "name the link, or the message, of the frame")
     if example.exception_response and link is not None and link.exception_response is None:
         text = f"the link {link.name} has no `exception_response`, so no response can be an exception response"
-        yield finding("references_resolve", place, "exception_response", text, "add `exception_response` to the link")
+        yield finding(place, "exception_response", text, "add `exception_response` to the link")
     if link is not None and example.elided:
         names = [part.name for part in link.parts(example.direction)] + [field.name for field in body(device, example)]
         yield from _check_names(place, "elided", "part or field", [n.partition(".")[0] for n in example.elided], names)
     request = device.examples.get(example.reply_to)
     if request is not None and (request.direction, example.direction) != ("request", "response"):
         text = f"{example.id} cannot reply to {request.id}: only a response can reply, and only to a request"
-        yield finding("references_resolve", place, "reply_to", text, "name the example with the request")
+        yield finding(place, "reply_to", text, "name the example with the request")

@@ -25,8 +25,8 @@ def registers_fill_words(device: Device) -> Iterator[Diagnostic]:
         if register.value.type.name in ("u8", "i8") and device.space(register.space).unit == WORD:
             text = f"the register {register.name} is {register.value.type.name}, half of its word"
             help = "state the whole word as u16 or i16, with a range if it is known"
-            yield finding("registers_fill_words", register.place, "type", text, help, severity=Severity.WARNING)
+            yield finding(register.place, "type", text, help, severity=Severity.WARNING)
         elif is_array(register.value.encoding) and 2 * (register.words or 0) == register.value.size + 1:
             text = f"{register.name} has {register.value.size} bytes, which do not fill its {register.words} words"
             help = "correct the length or the words"
-            yield finding("registers_fill_words", register.place, "length", text, help, severity=Severity.WARNING)
+            yield finding(register.place, "length", text, help, severity=Severity.WARNING)

@@ -23,7 +23,6 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.texts import Example
 
-_CODE = "replies_agree"
 _HELP = "correct one of the frames, or name the right example"
 
 
@@ -39,18 +38,18 @@ def replies_agree(device: Device) -> Iterator[Diagnostic]:
         ):
             if mine != theirs:
                 text = f"{reply.id} has the {key} {mine}, its request {theirs}"
-                yield finding(_CODE, reply.place, key, text, _HELP, related_label)
+                yield finding(reply.place, key, text, _HELP, related_label)
         for name, request_name in _echoed(device, reply):
             repeated, echoed = reply.values.get(name), request.values.get(request_name)
             if repeated is not None and echoed is not None and repeated != echoed:
                 text = f"{name} is {repeated} in {reply.id} and {echoed} in its request"
-                yield finding(_CODE, reply.place, "values", text, _HELP, related_label)
+                yield finding(reply.place, "values", text, _HELP, related_label)
         message = device.messages.get(reply.message)
         if message is not None and request.message == reply.message and not reply.exception_response:
             mismatch = _count_mismatch(device, message, request, reply)
             if mismatch:
                 help = f"{_HELP}, or the fields under `accesses` of {message.name}"
-                yield finding(_CODE, reply.place, "values", mismatch, help, related_label)
+                yield finding(reply.place, "values", mismatch, help, related_label)
 
 
 def _count_mismatch(device: Device, message: Message, request: Example, reply: Example) -> str:

@@ -21,7 +21,6 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Claim, Fact
 from fieldspec.language.model.sizes import RecordSizes
 
-_CODE = "restatements_agree"
 _NOT_HERE = ("printed_name", "label", "span", "word_span")
 """Names are shown, not compared; spans are compared with the layout, by spans_match_layout."""
 
@@ -60,19 +59,19 @@ def _compare_claim(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator
             if claimed is not True:
                 text = f"{fact.name} is missing where {_place_text(claim)} should have it"
                 help = "set `present: true` and write an erratum"
-                yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
+                yield finding(claim.place, key, text, help, _place_label(fact, key))
             continue
         actual = own.get(key)
         if actual is None:
             text = f"{fact.name} has no `{key}` for {_place_text(claim)} to restate"
             help = "add it to the fact, or remove it from `restated`"
-            yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
+            yield finding(claim.place, key, text, help, _place_label(fact, key))
         elif claimed_value(key, claimed) != actual:
             text = (
                 f"`{key}` of {fact.name} is {as_text(key, actual)}, but {as_text(key, claimed)} in {_place_text(claim)}"
             )
             help = "use the right value in both places, and write an erratum for the misprint"
-            yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
+            yield finding(claim.place, key, text, help, _place_label(fact, key))
 
 
 def _place_text(claim: Claim) -> str:

@@ -31,6 +31,4 @@ def roles_unique(device: Device) -> Iterator[Diagnostic]:
             reported.add(key)
             text = f"{before.path} and {operand.path} have the role `{role}`"
             related_label = label(before.fact.place, "roles", "the first one")
-            yield finding(
-                "roles_unique", operand.fact.place, "roles", text, "remove it from one of them", related_label
-            )
+            yield finding(operand.fact.place, "roles", text, "remove it from one of them", related_label)

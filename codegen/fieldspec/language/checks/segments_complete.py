@@ -24,8 +24,6 @@ from fieldspec.language.model.segments import number_places
 from fieldspec.language.model.sizes import sent_on
 from fieldspec.language.model.value import ParameterSizes
 
-_CODE = "segments_complete"
-
 
 def segments_complete(device: Device) -> Iterator[Diagnostic]:
     for message in device.messages.values():
@@ -206,4 +204,4 @@ def _enum(device: Device, record: Record, sizes: ParameterSizes | None) -> Enum 
 
 
 def _finding(first: Message, text: str, help: str) -> Diagnostic:
-    return finding(_CODE, first.place, "segments", text, help)
+    return finding(first.place, "segments", text, help)

@@ -22,4 +22,4 @@ def senses_differ(device: Device) -> Iterator[Diagnostic]:
             if bit.zero and bit.zero == bit.one:
                 text = f"{bit.name} means `{bit.one}` both at 0 and at 1"
                 related_label = label(bit.place, "zero", "at 0")
-                yield finding("senses_differ", bit.place, "one", text, "correct one of the texts", related_label)
+                yield finding(bit.place, "one", text, "correct one of the texts", related_label)

@@ -21,7 +21,6 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.value import OUT_OF_RANGE, Sentinel, Value
 
-_CODE = "sentinels_distinct"
 _HELP = "correct one of them, or remove the sentinel"
 
 
@@ -54,7 +53,7 @@ def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
                 text = f"{fact.name} is always {value.const}, and has the sentinel {sentinel.name}"
             if text:
                 help = "give it another name" if sentinel.name == OUT_OF_RANGE else _HELP
-                yield finding(_CODE, fact.place, "sentinels", text, help)
+                yield finding(fact.place, "sentinels", text, help)
             names.setdefault(sentinel.text, sentinel.name)
             texts.setdefault(sentinel.name, sentinel.text)
 

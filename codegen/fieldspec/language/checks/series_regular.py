@@ -77,4 +77,4 @@ def _odd(numbered: list[tuple[int, _Placed]]) -> Iterator[Diagnostic]:
             text = f"{fact.name} is number {number} of a series, but has {place}, not {base + step * number}"
             help = "correct its place or its number, or allow it with a reason"
             related_label = label(usual[0].place, usual[1], f"{usual[0].name} matches the series")
-            yield finding("series_regular", fact.place, key, text, help, related_label)
+            yield finding(fact.place, key, text, help, related_label)

@@ -58,7 +58,6 @@ def _odd(
     for field, statement in saying:
         if statement != usual:
             yield finding(
-                "siblings_agree",
                 field.place,
                 _key(field, subject),
                 f"{field.name} has a different {subject} in {times} other places",

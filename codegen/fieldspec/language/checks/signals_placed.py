@@ -20,7 +20,6 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.value import Signal
 
-_CODE = "signals_placed"
 _WAYS = {"request": "to the device", "response": "from the device"}
 
 
@@ -40,13 +39,13 @@ def signals_placed(device: Device) -> Iterator[Diagnostic]:
         if signal.direction and signal.name not in placed and not signal.notes:
             text = f"no message carries {signal.name}"
             help = "add it to a message, or state under `notes` that no message carries it"
-            yield finding(_CODE, signal.place, "name", text, help)
+            yield finding(signal.place, "name", text, help)
 
 
 def _astray(field: Field, signal: Signal, holder: str) -> Diagnostic:
     text = f"{signal.name} goes {_WAYS[signal.direction]}, but is part of {holder}"
     related_label = label(signal.place, "direction", "its direction")
-    return finding(_CODE, field.place, "signal", text, "correct the direction or the message", related_label)
+    return finding(field.place, "signal", text, "correct the direction or the message", related_label)
 
 
 def _named(field: Field, signal: Signal) -> Iterator[Diagnostic]:
@@ -54,4 +53,4 @@ def _named(field: Field, signal: Signal) -> Iterator[Diagnostic]:
     if mine and theirs and mine != theirs:
         text = f"{field.name} is printed as `{field.printed_name}`, its signal as `{signal.printed_name}`"
         related_label = label(signal.place, "printed_name", signal.name)
-        yield finding(_CODE, field.place, "printed_name", text, "correct one of the names", related_label)
+        yield finding(field.place, "printed_name", text, "correct one of the names", related_label)

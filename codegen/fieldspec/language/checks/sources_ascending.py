@@ -52,7 +52,7 @@ def _of_column(rows: Sequence[Fact]) -> Iterator[Diagnostic]:
             text = f"{row.name} cites {_place(row)}, out of order with the rows around it"
             related_label = label(other.place, "source", f"{other.name} cites {_place(other)}")
             help = f"correct the {_UNITS[row.sources[0].mark]} or the order of the rows"
-            yield finding("sources_ascending", row.place, "source", text, help, related_label)
+            yield finding(row.place, "source", text, help, related_label)
 
 
 def _place(row: Fact) -> str:

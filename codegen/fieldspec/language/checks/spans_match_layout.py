@@ -59,7 +59,7 @@ def _without_place(layer: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
         problem = f"no place of its own, as {before.name} before it has no fixed size"
         for place, key, _ in _printed(field):
             text = f"{field.name} has {'no last byte, as it varies in width' if field is before else problem}"
-            yield finding("spans_match_layout", place, key, text, "remove it")
+            yield finding(place, key, text, "remove it")
 
 
 def _starts(device: Device, sizes: RecordSizes) -> dict[str, list[int]]:
@@ -108,7 +108,7 @@ def _finding(field: Field, place: Place, key: str, printed: _Span, fitting: list
     text = f"{field.name} is printed at {_span_text(printed, unit)}, but it is at {right}"
     holder = "type" if field.value is not None else "record" if field.record else "choice"
     help = "correct a type or the span"
-    return finding("spans_match_layout", place, key, text, help, label(field.place, holder, "the field"))
+    return finding(place, key, text, help, label(field.place, holder, "the field"))
 
 
 def _span_text(span: _Span, unit: str) -> str:

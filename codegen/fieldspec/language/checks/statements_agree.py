@@ -28,4 +28,4 @@ def statements_agree(device: Device) -> Iterator[Diagnostic]:
                 text = f"{statement.subject} is `{before.says}` in one place, but `{statement.says}` in another"
                 related_label = label(before.place, "says", "the first one")
                 help = "state the correct fact, and write an erratum for the place that prints something else"
-                yield finding("statements_agree", statement.place, "says", text, help, related_label)
+                yield finding(statement.place, "says", text, help, related_label)

@@ -19,7 +19,6 @@ from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Flags
 
-_CODE = "states_disjoint"
 _MOST = 64
 """How many states of one word are compared with each other."""
 
@@ -38,7 +37,7 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
                 if contradictory
                 else f"no bit shows the state {state.name}"
             )
-            yield finding(_CODE, state.place, "set", text, "correct the bits of the state")
+            yield finding(state.place, "set", text, "correct the bits of the state")
     states = [state for state in word.states if state.set or state.clear]
     for state, other in combinations(states[:_MOST], 2):
         mask, value = word.masked(state)
@@ -46,4 +45,4 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
         if not (value ^ theirs) & mask & same:
             text = f"{state.name} and {other.name} of {word.name} are possible at the same time"
             related_label = label(state.place, "name", state.name)
-            yield finding(_CODE, other.place, "name", text, "add the bits that distinguish them", related_label)
+            yield finding(other.place, "name", text, "add the bits that distinguish them", related_label)

@@ -17,7 +17,6 @@ from fieldspec.language.checks.finding import finding
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 
-_CODE = "switches_readable"
 _SWITCH = [0, 1]
 
 
@@ -32,4 +31,4 @@ def switches_readable(device: Device) -> Iterator[Diagnostic]:
         if sorted(member.value for member in enum.members) == _SWITCH:
             text = f"{register.name} takes every number as a switch, and what reading it gives is not stated"
             help = "close the enum, give it a range, or allow it with what the manual leaves open, and write an erratum"
-            yield finding(_CODE, register.place, "enum", text, help)
+            yield finding(register.place, "enum", text, help)

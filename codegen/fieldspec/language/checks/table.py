@@ -9,6 +9,7 @@ from collections.abc import Container, Iterable, Iterator
 from importlib import import_module
 
 from fieldspec.foundation.caches import ObjectsKey
+from fieldspec.foundation.classes import replace
 from fieldspec.foundation.observation import observed, read_attributes
 from fieldspec.language.checks.allowances_used import allowances_used
 from fieldspec.language.checks.finding import Allowance, Check, Coverage, allowances
@@ -199,7 +200,8 @@ def _findings(device: Device, name: str) -> Iterator[Diagnostic]:
     reading = observed(device)
     findings: list[Diagnostic] = []
     wrong_before = OpenFacts.verdicts_of_wrong
-    for finding in check(reading):
+    for unnamed in check(reading):
+        finding = replace(unnamed, code=name)
         findings.append(finding)
         yield finding
     if OpenFacts.verdicts_of_wrong != wrong_before:

@@ -29,4 +29,4 @@ def table_fields_readable(device: Device) -> Iterator[Diagnostic]:
             text = f"{field.name} is a constant, but {table.name} can return any value"
             help = f"write `range: {field.value.const}` instead, which restricts only writing"
             related_label = label(table.place, "record", "the table")
-            yield finding("table_fields_readable", field.place, "const", text, help, related_label)
+            yield finding(field.place, "const", text, help, related_label)

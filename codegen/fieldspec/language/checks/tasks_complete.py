@@ -29,4 +29,4 @@ def tasks_complete(device: Device) -> Iterator[Diagnostic]:
     if missing:
         text = f"{device.name} has no entry for the tasks {enumeration(missing)}"
         help = "add a task with `steps`, `not_applicable` or `open` for each"
-        yield finding("tasks_complete", device.tasks[0].place, "task", text, help)
+        yield finding(device.tasks[0].place, "task", text, help)

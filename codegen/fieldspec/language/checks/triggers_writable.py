@@ -26,4 +26,4 @@ def triggers_writable(device: Device) -> Iterator[Diagnostic]:
             text = f"{fact.name} starts an action when it is written, but its access is ro"
             related_label = label(fact.place, "trigger", "only writing starts an action")
             help = "correct the access, or remove `trigger`"
-            yield finding("triggers_writable", fact.place, "access", text, help, related_label)
+            yield finding(fact.place, "access", text, help, related_label)

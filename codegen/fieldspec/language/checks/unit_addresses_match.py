@@ -21,7 +21,6 @@ from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.sizes import messages_on
 
-_CODE = "unit_addresses_match"
 _DIRECTIONS = ("request", "response")
 
 
@@ -49,7 +48,7 @@ def _of_link(link: Link) -> Iterator[Diagnostic]:
         likeness = "a part of the same name, without the role" if namesake is not None else "a number of the same size"
         help = f"add `role: unit_address` to {part.name} of the {other}, or allow this if it is not an address"
         related_label = label(part.place, "name", f"the {other} has {likeness}")
-        yield finding(_CODE, own.place, "role", text, help, related_label, severity=severity)
+        yield finding(own.place, "role", text, help, related_label, severity=severity)
 
 
 def _address(parts: tuple[Part, ...]) -> Part | None:

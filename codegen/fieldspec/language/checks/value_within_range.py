@@ -28,7 +28,7 @@ def value_within_range(device: Device) -> Iterator[Diagnostic]:
         reason = legal.objection(value, value.const, writes=True) if value.const is not None else ""
         if reason:
             text = f"{fact.name} is always {value.const}, which {reason}"
-            yield finding("value_within_range", fact.place, "const", text, _HELP)
+            yield finding(fact.place, "const", text, _HELP)
     for example in device.examples.values():
         if example.refused:
             continue
@@ -37,4 +37,4 @@ def value_within_range(device: Device) -> Iterator[Diagnostic]:
             if reason:
                 text = f"{path} is {number} in the example {example.id}, which {reason}"
                 related_label = label(fact.place, range_key(fact.place), "its permitted values")
-                yield finding("value_within_range", example.place, "values", text, _HELP, related_label)
+                yield finding(example.place, "values", text, _HELP, related_label)

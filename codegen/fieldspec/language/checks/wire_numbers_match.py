@@ -22,8 +22,6 @@ from fieldspec.language.model.fact import Place
 from fieldspec.language.model.ranges import uncovered
 from fieldspec.language.model.registers import ParameterSet
 
-_CODE = "wire_numbers_match"
-
 
 def wire_numbers_match(device: Device) -> Iterator[Diagnostic]:
     for parameter_set in device.parameters.values():
@@ -46,7 +44,7 @@ def _printed(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
                 parameter_set.place, "base", f"{parameter_set.name} begins at {hexadecimal(parameter_set.base)}"
             )
             help = "correct the number, the number on the wire or the base"
-            yield finding(_CODE, parameter.place, "wire_number", text, help, related_label)
+            yield finding(parameter.place, "wire_number", text, help, related_label)
 
 
 def _claimed(parameter_set: ParameterSet, other: ParameterSet) -> Iterator[Diagnostic]:
@@ -66,5 +64,5 @@ def _claimed(parameter_set: ParameterSet, other: ParameterSet) -> Iterator[Diagn
                 other.place, "base", f"{other.name} has {addresses(other_numbers[0][0], other_numbers[-1][1])}"
             )
             help = "correct a number, a base or the space of one of the sets"
-            yield finding(_CODE, place, key, text, help, related_label)
+            yield finding(place, key, text, help, related_label)
             return

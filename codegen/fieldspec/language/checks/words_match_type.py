@@ -33,7 +33,7 @@ def words_match_type(device: Device) -> Iterator[Diagnostic]:
                 continue
             if bounds[0] != bounds[1]:
                 text = f"{field.name} is printed with {plural(field.words, 'word')}, but its size is not fixed"
-                yield finding("words_match_type", field.place, "words", text, "remove the words")
+                yield finding(field.place, "words", text, "remove the words")
             else:
                 type_name = field.value.type.name if field.value is not None else field.record
                 yield from _compare_words(field, field.words, bounds[0], type_name)
@@ -42,7 +42,6 @@ def words_match_type(device: Device) -> Iterator[Diagnostic]:
 def _compare_words(fact: Fact, words: int | None, size: int, type_name: str) -> Iterator[Diagnostic]:
     if words is not None and 2 * words != size:
         yield finding(
-            "words_match_type",
             fact.place,
             "words",
             f"{fact.name} is printed with {plural(words, 'word')}; as {type_name} it has {plural(size, 'byte')}",

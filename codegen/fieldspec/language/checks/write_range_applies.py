@@ -24,8 +24,6 @@ from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.value import Value
 
-_CODE = "write_range_applies"
-
 
 def write_range_applies(device: Device) -> Iterator[Diagnostic]:
     for fact, value in values(device):
@@ -44,15 +42,15 @@ def write_range_applies(device: Device) -> Iterator[Diagnostic]:
 def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     if not is_count(value.encoding) or value.flags:
         text = f"{fact.name} is not a whole number, so `write_range` does not apply"
-        yield finding(_CODE, fact.place, "write_range", text, "remove it")
+        yield finding(fact.place, "write_range", text, "remove it")
     elif value.const is not None:
         text = f"{fact.name} is always {value.const} when it is written"
         related_label = label(fact.place, "const", "the values that can be written")
-        yield finding(_CODE, fact.place, "write_range", text, "remove one of them", related_label)
+        yield finding(fact.place, "write_range", text, "remove one of them", related_label)
     elif getattr(fact, "access", "") == "ro":
         text = f"{fact.name} is read-only, so no value can be written"
         related_label = label(fact.place, "access", "its access")
-        yield finding(_CODE, fact.place, "write_range", text, "correct one of them", related_label)
+        yield finding(fact.place, "write_range", text, "correct one of them", related_label)
 
 
 def _in_frame(device: Device, outer: Field) -> Iterator[Diagnostic]:
@@ -64,6 +62,4 @@ def _in_frame(device: Device, outer: Field) -> Iterator[Diagnostic]:
             text = f"{field.name} is in a message, which is either written or read"
             related_label = label(outer.place, "name", "the field of the message")
             help = "define a separate field for the message, with its own `range`"
-            yield finding(
-                _CODE, field.place, "write_range", text, help, *([related_label] if outer is not field else [])
-            )
+            yield finding(field.place, "write_range", text, help, *([related_label] if outer is not field else []))

@@ -21,7 +21,6 @@ from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
 from fieldspec.language.model.value import Value
 
-_CODE = "write_range_within_range"
 _HELP = "correct one of them"
 
 
@@ -37,14 +36,12 @@ def _compare_ranges(fact: Fact, value: Value, writable: Ranges) -> Iterator[Diag
     if excess is not None:
         text = f"{excess} can be written to {fact.name}, but is not in its range"
         key = "type" if value.ranges is None else range_key(fact.place)
-        yield finding(_CODE, fact.place, "write_range", text, _HELP, label(fact.place, key, "its permitted values"))
+        yield finding(fact.place, "write_range", text, _HELP, label(fact.place, key, "its permitted values"))
     for sentinel in value.sentinels:
         if uncovered(*sentinel.interval, merged(writable.intervals)):
             text = f"the special value {sentinel.name}, {sentinel.text}, cannot be written to {fact.name}"
             help = "add it to `write_range`, or make it a member of an enum if it is only read"
-            yield finding(
-                _CODE, fact.place, "write_range", text, help, label(fact.place, "sentinels", "the special value")
-            )
+            yield finding(fact.place, "write_range", text, help, label(fact.place, "sentinels", "the special value"))
 
 
 def _beyond(writable: Ranges, read: list[tuple[int, int]]) -> int | None:
