@@ -19,13 +19,9 @@ from fieldspec.targets.c.expressions import (
     VALUE,
     Expression,
     Group,
-    Operation,
     Type,
     all_of,
     any_of,
-    at_least,
-    at_most,
-    greater,
 )
 from fieldspec.targets.c.literals import FALSE, hexadecimal
 from fieldspec.targets.c.machine import literal, macro_literal, of_bits, to_bits
@@ -185,12 +181,12 @@ def _absent_test(naming: Naming, value: Value) -> Expression:
         case Real():
             numbers = [literal(encoding, number) for number, _ in value.special_intervals]
             tests: list[Expression] = [
-                Group(all_of([at_least(VALUE, number), at_most(VALUE, number)])) for number in numbers
+                Group(all_of([VALUE.at_least(number), VALUE.at_most(number)])) for number in numbers
             ]
         case _:
             assert_never(encoding)
     if value.absent_nan:
         bits, size = to_bits(naming, encoding, VALUE), value.size
-        magnitude = Group(Operation("&", (bits, hexadecimal((1 << (8 * size - 1)) - 1, size))))
-        tests.append(greater(magnitude, hexadecimal(infinity(encoding.precision), size)))
+        magnitude = Group(bits & hexadecimal((1 << (8 * size - 1)) - 1, size))
+        tests.append(magnitude.greater(hexadecimal(infinity(encoding.precision), size)))
     return any_of(tests)

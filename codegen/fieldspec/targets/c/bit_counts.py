@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.record import RecordLayout
-from fieldspec.targets.c.expressions import Expression, Group, Operation, PointerMember, add, different
+from fieldspec.targets.c.expressions import Expression, Group
 from fieldspec.targets.c.fields import count_member
 from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming, member
@@ -20,9 +20,9 @@ def check_bit_count(naming: Naming, record: RecordLayout, struct: Expression) ->
     for field in record.fields:
         packed = record.named(field.bits_of) if field.bits_of else None
         if packed is not None:
-            number = PointerMember(struct, member(field.name))
-            rest = Group(add(Operation("%", (number, unsigned(8))), unsigned(7)))
-            size = add(Operation("/", (number, unsigned(8))), Operation("/", (rest, unsigned(8))))
-            actual_size = PointerMember(struct, count_member(record, packed))
-            body = (*body, *refuse(naming, different(size, actual_size), "err_wrong_measure"))
+            number = struct.arrow(member(field.name))
+            rest = Group((number % unsigned(8)) + unsigned(7))
+            size = (number / unsigned(8)) + (rest / unsigned(8))
+            actual_size = struct.arrow(count_member(record, packed))
+            body = (*body, *refuse(naming, size.differs(actual_size), "err_wrong_measure"))
     return body

@@ -13,8 +13,6 @@ from fieldspec.targets.c.expressions import (
     Call,
     Expression,
     Type,
-    address_of,
-    different,
 )
 from fieldspec.targets.c.fields import (
     function_locals,
@@ -96,7 +94,7 @@ def check_members(naming: Naming, device: Device, record: RecordLayout) -> Body:
             if not check_members(naming, device, field.record):
                 return ()
             function = naming.function("record", field.record.name, "check")
-            return return_error(naming, Call(function, (address_of(value),)))
+            return return_error(naming, Call(function, (value.address(),)))
 
         body += walk_elements(record, field, check, IN, OUT)
     return body
@@ -112,7 +110,7 @@ def check_unpacked(naming: Naming, device: Device, record: RecordLayout) -> Body
                 if not check_unpacked(naming, device, field.record):
                     return ()
                 decode = naming.function("record", field.record.name, "decode")
-                return return_error(naming, Call(decode, (source, unsigned(field.size), address_of(value))))
+                return return_error(naming, Call(decode, (source, unsigned(field.size), value.address())))
             if field.field.reserved:
                 return ()
             wire = field_value(field)
@@ -131,7 +129,7 @@ def check_measures(naming: Naming, record: RecordLayout) -> Body:
             continue
 
         def compare(source: Expression, value: Expression, field: FieldLayout = field) -> Body:
-            wrong = different(load(naming, field_value(field), source), measured_size(record, field, OUT))
+            wrong = load(naming, field_value(field), source).differs(measured_size(record, field, OUT))
             return refuse(naming, wrong, "err_wrong_measure")
 
         body += walk_elements(record, field, compare, OUT, IN)
@@ -157,7 +155,7 @@ def _load_field(naming: Naming, record: RecordLayout, field: FieldLayout) -> Bod
     def load_element(source: Expression, target: Expression) -> Body:
         if field.record is not None:
             unpack = naming.function("record", field.record.name, "unpack")
-            return (call(unpack, source, address_of(target)),)
+            return (call(unpack, source, target.address()),)
         return load_value(naming, field_value(field), source, target)
 
     return walk_elements(record, field, load_element, OUT, IN)
