@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.texts import Limit, Lookup, LookupColumn, LookupRow, Note
-from fieldspec.targets.docs.context import Context, cited, names, sources
+from fieldspec.targets.docs.context import Context, cited, fact_row, names
 from fieldspec.targets.docs.document import (
     Block,
     Cell,
@@ -105,14 +105,11 @@ def limits(context: Context) -> Section:
 
 
 def _limit(context: Context, limit: Limit, marks: Inferences) -> TableRow:
-    return TableRow(
-        (
-            names(limit, limit.name, mark=marks.all_marks(limit.inferred)),
-            cell(*_limit_lines(limit)),
-            cell(*context.about(limit)),
-            sources(limit),
-        ),
-        limit.place.path,
+    return fact_row(
+        limit,
+        names(limit, limit.name, mark=marks.all_marks(limit.inferred)),
+        cell(*_limit_lines(limit)),
+        cell(*context.about(limit)),
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.language.model.units import DeclaredUnit
-from fieldspec.targets.docs.context import Context, names, sources
+from fieldspec.targets.docs.context import Context, fact_row, names
 from fieldspec.targets.docs.document import Section, TableColumn, TableRow, cell, code, table, text_piece
 from fieldspec.targets.docs.sources import Inferences
 
@@ -27,15 +27,12 @@ def units(context: Context) -> Section:
 
 
 def _unit_row(context: Context, unit: DeclaredUnit, marks: Inferences) -> TableRow:
-    return TableRow(
-        (
-            cell(unit.symbol),
-            names(unit, unit.title or unit.name, mark=marks.all_marks(unit.inferred)),
-            cell(unit.quantity.replace("_", " ")),
-            cell(unit.factor),
-            cell((code(unit.ucum),)) if unit.ucum else cell(""),
-            cell(*context.about(unit)),
-            sources(unit),
-        ),
-        unit.place.path,
+    return fact_row(
+        unit,
+        cell(unit.symbol),
+        names(unit, unit.title or unit.name, mark=marks.all_marks(unit.inferred)),
+        cell(unit.quantity.replace("_", " ")),
+        cell(unit.factor),
+        cell((code(unit.ucum),)) if unit.ucum else cell(""),
+        cell(*context.about(unit)),
     )
