@@ -12,17 +12,15 @@ Fix: Correct the keys of the step, and leave out steps that access single bits.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.address_space import BIT, AddressSpace
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.record import Field, Message, RegisterAccess
 
 
-def access_steps_fit_space(device: Device) -> Iterator[Diagnostic]:
+def access_steps_fit_space(device: Device) -> Findings:
     for message in device.messages.values():
         steps = message.access_steps
         if not steps:
@@ -39,7 +37,7 @@ def access_steps_fit_space(device: Device) -> Iterator[Diagnostic]:
                 yield from _step(message, step, device.space(step.space))
 
 
-def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterator[Diagnostic]:
+def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Findings:
     does = f"{message.name} {step.operation}s"
     related_labels = () if not space.name else (label(space.place, "name", "the space"),)
     if space.unit == BIT:
@@ -75,7 +73,7 @@ def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterat
 
 def _number_findings(
     message: Message, field: Field, space: AddressSpace, is_carried: bool, may_be_list: bool
-) -> Iterator[Diagnostic]:
+) -> Findings:
     """The finding of a field that is not a number, or no register where it `is_carried`."""
     value = field.value
     if value is None or not is_count(value.encoding) or value.flags or (field.is_list and not may_be_list):
@@ -87,7 +85,7 @@ def _number_findings(
         yield finding(field.place, "type", text, help)
 
 
-def _count(message: Message, step: RegisterAccess, count: Field | None) -> Iterator[Diagnostic]:
+def _count(message: Message, step: RegisterAccess, count: Field | None) -> Findings:
     """The finding of a number of registers that may differ from what a request carries."""
     holder = message.response if step.operation == "read" else message.request
     values = holder.named(step.values) if step.values else None

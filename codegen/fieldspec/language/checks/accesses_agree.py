@@ -15,10 +15,7 @@ message.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import enumeration, finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding, label
 from fieldspec.language.model.access import narrowed, readable, writable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field, Record
@@ -29,7 +26,7 @@ _HELP = "correct one of them: outputs use the narrower access"
 _VERBS = (("read", readable), ("written", writable))
 
 
-def accesses_agree(device: Device) -> Iterator[Diagnostic]:
+def accesses_agree(device: Device) -> Findings:
     uses = table_records(device)
     for record in device.records.values():
         own = uses.get(record.name, [])
@@ -42,7 +39,7 @@ def accesses_agree(device: Device) -> Iterator[Diagnostic]:
         yield from _of_message(message.response, "response", "receives", "wo")
 
 
-def _of_message(data: Record, direction: str, verb: str, refused: str) -> Iterator[Diagnostic]:
+def _of_message(data: Record, direction: str, verb: str, refused: str) -> Findings:
     """The fields whose access contradicts the direction in which they are sent."""
     for field in data.fields:
         if field.access == refused and "access" in field.place:
@@ -53,7 +50,7 @@ def _of_message(data: Record, direction: str, verb: str, refused: str) -> Iterat
             yield finding(field.place, "atomic", text, "remove it, or state it at the register")
 
 
-def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
+def _of_field(field: Field, uses: list[TableRecord]) -> Findings:
     """The access that the field permits, but no table with its record."""
     if not field.access or not all(use.access for use in uses):
         return
@@ -65,7 +62,7 @@ def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
             yield finding(field.place, "access", text, _HELP, related_label)
 
 
-def _of_table(table: Table, record: Record) -> Iterator[Diagnostic]:
+def _of_table(table: Table, record: Record) -> Findings:
     """The access that the table permits, but no field of its record."""
     fields = [field for field in record.fields if not field.reserved]
     if not table.access or not fields or not all(field.access for field in fields):

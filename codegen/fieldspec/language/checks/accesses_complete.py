@@ -14,15 +14,12 @@ value. Or remove `accesses`: users then send the message with all its fields.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field, Message, RegisterAccess
 
 
-def accesses_complete(device: Device) -> Iterator[Diagnostic]:
+def accesses_complete(device: Device) -> Findings:
     for message in device.messages.values():
         access = message.single_access
         if access is None:
@@ -41,7 +38,7 @@ def accesses_complete(device: Device) -> Iterator[Diagnostic]:
         yield from _constants(message, access, packed=device.bit_access(message) is not None)
 
 
-def _constants(message: Message, access: RegisterAccess, packed: bool) -> Iterator[Diagnostic]:
+def _constants(message: Message, access: RegisterAccess, packed: bool) -> Findings:
     """The findings of an address or a number that clients cannot choose. `packed`: several bits are in one value."""
     start, count = message.request.named(access.start), message.request.named(access.count)
     holder = message.response if access.operation == "read" else message.request

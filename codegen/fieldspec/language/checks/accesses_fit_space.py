@@ -15,9 +15,8 @@ bits. Codecs compare the bit count of a write request with its bytes, so its ran
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import enumeration, finding, label, range_key
+from fieldspec.language.checks.finding import Findings, enumeration, finding, label, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT, BYTE, WORD, AddressSpace
 from fieldspec.language.model.device import Device
@@ -28,7 +27,7 @@ from fieldspec.language.model.record import Field, Message, RegisterAccess
 from fieldspec.language.model.value import Value
 
 
-def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
+def accesses_fit_space(device: Device) -> Findings:
     of_bits = spaces_of_bits(device)
     for name, accessing in of_bits.items():
         space = device.spaces[name]
@@ -99,9 +98,7 @@ def spaces_of_bits(device: Device) -> dict[str, list[str]]:
     }
 
 
-def _words(
-    device: Device, message: Message, access: RegisterAccess, field: Field, space: AddressSpace
-) -> Iterator[Diagnostic]:
+def _words(device: Device, message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Findings:
     count = message.request.named(access.count) if access.count and access.operation == "write" else None
     if count is not None and count.measures is None and field.repeat is not None:
         text = f"{count.name} may differ from the number of {field.name} in {message.name}"
@@ -131,7 +128,7 @@ def _words(
         yield finding(field.place, "type", text, "use `u8`, and give the registers their types")
 
 
-def _packed(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
+def _packed(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Findings:
     if field.value is not None and field.value.type.name != "u8":
         text = f"{field.name} is {field.value.type.name}, but bits are packed into bytes"
         related_label = label(space.place, "unit", "the unit of the space")
@@ -153,7 +150,7 @@ def _packed(message: Message, access: RegisterAccess, field: Field, space: Addre
         yield from _bytes_of_bits(count, count.value, field)
 
 
-def _bit_count(message: Message, count: Field, packed: Field) -> Iterator[Diagnostic]:
+def _bit_count(message: Message, count: Field, packed: Field) -> Findings:
     """The findings of the field with the number of bits that a request writes, which codecs compare with the bytes."""
     value = count.value
     related_label = label(packed.place, "repeat", f"the bytes of {packed.name}")
@@ -169,7 +166,7 @@ def _bit_count(message: Message, count: Field, packed: Field) -> Iterator[Diagno
         yield from _bytes_of_bits(count, value, packed)
 
 
-def _bytes_of_bits(count: Field, value: Value, packed: Field) -> Iterator[Diagnostic]:
+def _bytes_of_bits(count: Field, value: Value, packed: Field) -> Findings:
     """Whether the repetitions of packed bytes have room for the number of bits, and no more."""
     if packed.repeat is None or (value.const is None and value.ranges is None):
         return
@@ -185,7 +182,7 @@ def _bytes_of_bits(count: Field, value: Value, packed: Field) -> Iterator[Diagno
         yield finding(count.place, key, text, help, label(packed.place, "repeat", f"the bytes of {packed.name}"))
 
 
-def _single(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
+def _single(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Findings:
     value = field.value
     if value is None or not is_count(value.encoding) or field.count is not None:
         text = f"{field.name} is neither bits packed into a repeated `u8` nor a number for a single bit"

@@ -11,14 +11,11 @@ group in another order, set `order: as_listed` on the group.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, hexadecimal, label, longest_ascent
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label, longest_ascent
 from fieldspec.language.model.device import Device
 
 
-def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
+def addresses_ascending(device: Device) -> Findings:
     for group in device.groups:
         if not group.ascending:
             continue

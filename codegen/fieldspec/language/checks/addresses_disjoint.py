@@ -10,17 +10,15 @@ the overlap is intended, set `allow: {addresses_disjoint: <reason>}` on one of t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from operator import attrgetter
 
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.addresses import Block, blocks
-from fieldspec.language.checks.finding import addresses, finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, addresses, finding, label
 from fieldspec.language.model.device import Device
 
 
-def addresses_disjoint(device: Device) -> Iterator[Diagnostic]:
+def addresses_disjoint(device: Device) -> Findings:
     yield from _elements_overlap(device)
     furthest: Block | None = None
     reported = set()
@@ -46,7 +44,7 @@ def addresses_disjoint(device: Device) -> Iterator[Diagnostic]:
             furthest = block
 
 
-def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
+def _elements_overlap(device: Device) -> Findings:
     for register in device.registers():
         if register.count > 1 and register.stride < register.width:
             yield finding(

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.language.checks.addresses import table_words
-from fieldspec.language.checks.finding import finding, hexadecimal, label
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
@@ -26,7 +26,7 @@ _REFUSED = {"read": "wo", "write": "ro"}
 _HELP = "correct the type or the range of the field, or the address"
 
 
-def addresses_fit_messages(device: Device) -> Iterator[Diagnostic]:
+def addresses_fit_messages(device: Device) -> Findings:
     for message in device.messages.values():
         access = message.single_access
         field = message.request.named(access.start) if access is not None else None

@@ -11,10 +11,7 @@ Fix: Correct one of them and write an erratum, or remove `same_as`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label, range_key
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Part
@@ -24,7 +21,7 @@ from fieldspec.language.model.value import Value
 _HELP = "correct one of them, or remove `same_as`"
 
 
-def aliases_agree(device: Device) -> Iterator[Diagnostic]:
+def aliases_agree(device: Device) -> Findings:
     registers = {register.name: register for register in device.registers()}
     for register in device.registers():
         other = registers.get(register.same_as)
@@ -55,12 +52,12 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
             yield from _echo(field, parts.get(field.same_as), f"{field.name} repeats {field.same_as} of the request")
 
 
-def _echo(field: Field | Part, same: Field | Part | None, text: str) -> Iterator[Diagnostic]:
+def _echo(field: Field | Part, same: Field | Part | None, text: str) -> Findings:
     if same is not None and field.value is not None and same.value is not None:
         yield from _compare_values(text, field, field.value, same, same.value)
 
 
-def _repeats(field: Field, same: Field | None, text: str) -> Iterator[Diagnostic]:
+def _repeats(field: Field, same: Field | None, text: str) -> Findings:
     """A field of a response can have the values of the request: the same number of elements, and the same constant."""
     if same is None:
         return
@@ -82,7 +79,7 @@ def _elements_key(field: Field) -> str:
     return next((key for key in ("count", "repeat") if key in field.place), "type")
 
 
-def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:
+def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Findings:
     for key, mine, theirs in (
         ("type", (value.type.name, value.size), (same.type.name, same.size)),
         ("scale", (value.scale, value.offset), (same.scale, same.offset)),

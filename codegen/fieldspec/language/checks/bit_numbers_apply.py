@@ -13,12 +13,10 @@ its scale and its unit.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import partial
 
-from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.checks.settled import of_values, of_words
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.fact import Fact
@@ -28,7 +26,7 @@ _KEYS = ("signed", "scale", "offset", "unit")
 _LEVEL_KEYS = ("zero", "one", "active")
 
 
-def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
+def bit_numbers_apply(device: Device) -> Findings:
     yield from of_words(device, _of_word)
     yield from of_values(device, partial(_of_sentinels, device))
     for link in device.links.values():
@@ -40,7 +38,7 @@ def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
                 yield finding(part.place, "flags", text, "use a word of bits without a range", related_label)
 
 
-def _of_sentinels(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_sentinels(device: Device, fact: Fact, value: Value) -> Findings:
     bounded = device.flags[value.flags].bounded if value.flags in device.flags else ()
     if bounded and value.sentinels:
         text = f"{fact.name} has special values, which the range of {bounded[0].name} does not except"
@@ -49,7 +47,7 @@ def _of_sentinels(device: Device, fact: Fact, value: Value) -> Iterator[Diagnost
         yield finding(fact.place, "sentinels", text, help, related_label)
 
 
-def _of_word(word: Flags) -> Iterator[Diagnostic]:
+def _of_word(word: Flags) -> Findings:
     for bit in word.bits:
         yield from _of_number(word, bit)
         yield from _of_range(bit)
@@ -59,7 +57,7 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
                 yield finding(bit.place, key, text, "name the numbers with an `enum`, or divide the bits")
 
 
-def _of_number(word: Flags, bit: Bit) -> Iterator[Diagnostic]:
+def _of_number(word: Flags, bit: Bit) -> Findings:
     keys = [key for key in _KEYS if key in bit.place] if bit.is_number else []
     if not keys:
         return
@@ -75,7 +73,7 @@ def _of_number(word: Flags, bit: Bit) -> Iterator[Diagnostic]:
         yield finding(bit.place, keys[0], text, help)
 
 
-def _of_range(bit: Bit) -> Iterator[Diagnostic]:
+def _of_range(bit: Bit) -> Findings:
     if bit.ranges is None:
         return
     key, reason = range_key(bit.place), ""

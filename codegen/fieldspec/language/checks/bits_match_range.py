@@ -13,12 +13,11 @@ is in the list.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import partial
 
-from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.checks.settled import of_values, of_words
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.fact import Fact
@@ -28,19 +27,19 @@ from fieldspec.language.model.value import Value
 _WIDEST = 64
 
 
-def bits_match_range(device: Device) -> Iterator[Diagnostic]:
+def bits_match_range(device: Device) -> Findings:
     yield from of_words(device, lambda word: _compare_range(device, word, word, word.ranges))
     yield from of_values(device, partial(_of_value, device))
 
 
-def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(device: Device, fact: Fact, value: Value) -> Findings:
     used = device.flags.get(value.flags)
     if used is not None:
         wrong = list(_compare_range(device, fact, used, value.ranges))
         yield from wrong or _compare_words(fact, value, used)
 
 
-def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagnostic]:
+def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) -> Findings:
     if ranges is None or any(bit.last >= _WIDEST for bit in word.bits):
         return
     all_bits = _union(bit for bit in word.bits)
@@ -60,7 +59,7 @@ def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | Non
         )
 
 
-def _compare_words(fact: Fact, value: Value, word: Flags) -> Iterator[Diagnostic]:
+def _compare_words(fact: Fact, value: Value, word: Flags) -> Findings:
     """A value states a range where its words of bits have one: encoders compare that of the value."""
     if word.ranges is not None and value.ranges is None and value.const is None:
         text = f"{fact.name} states no range, but the words {word.name} have the range {word.ranges.text()}"

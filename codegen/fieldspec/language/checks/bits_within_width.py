@@ -13,16 +13,13 @@ Fix: Correct the type or the bit number, and write an erratum if the manual prin
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 
 
-def bits_within_width(device: Device) -> Iterator[Diagnostic]:
+def bits_within_width(device: Device) -> Findings:
     for word in device.flags.values():
         width = 8 * word.type.size
         for bit in word.bits:

@@ -10,16 +10,13 @@ Fix: Correct the range or the address, and write an erratum if the manual prints
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import is_count
 
 
-def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
+def broadcast_apart(device: Device) -> Findings:
     for link in device.links.values():
         stations = link.unit_addresses
         if stations is None or stations.broadcast is None:

@@ -14,11 +14,8 @@ by a length or covered by a checksum.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.escape import CAN_DATA
@@ -34,7 +31,7 @@ _REMOTE_CODE = 4
 """The bytes of a code on a bus with remote requests."""
 
 
-def can_frames_complete(device: Device) -> Iterator[Diagnostic]:
+def can_frames_complete(device: Device) -> Findings:
     for link in device.links.values():
         if not link.is_can:
             for part in (*link.request, *link.response):
@@ -65,13 +62,13 @@ def _identifier(parts: tuple[Part, ...]) -> list[tuple[object, ...]]:
     ]
 
 
-def _without_foreign_keys(link: Link) -> Iterator[Diagnostic]:
+def _without_foreign_keys(link: Link) -> Findings:
     for key in _FOREIGN:
         if key in link.place:
             yield finding(link.place, key, f"`{key}` has no effect on a CAN bus", f"remove `{key}`")
 
 
-def _of_parts(device: Device, link: Link, direction: str) -> Iterator[Diagnostic]:
+def _of_parts(device: Device, link: Link, direction: str) -> Findings:
     assert link.escape is not None
     parts = link.parts(direction)
     identifier_end = next((index for index, part in enumerate(parts) if part.bits is None), len(parts))
@@ -108,7 +105,7 @@ def _of_parts(device: Device, link: Link, direction: str) -> Iterator[Diagnostic
         yield finding(link.place, direction, text, "use narrower types, or join neighbouring parts")
 
 
-def _of_span(link: Link, direction: str, part: Part, identifier_end: int) -> Iterator[Diagnostic]:
+def _of_span(link: Link, direction: str, part: Part, identifier_end: int) -> Findings:
     """A length or a checksum in the data says nothing of the identifier; the bus has a length and a checksum of it."""
     span = link.span(direction, part)
     if span is None or span[0] >= identifier_end:
@@ -122,7 +119,7 @@ def _of_span(link: Link, direction: str, part: Part, identifier_end: int) -> Ite
     yield finding(part.place, key, text, help)
 
 
-def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _data(device: Device, link: Link) -> Findings:
     """The data of every message, and of an exception response, fit into a frame."""
     for direction in ("request", "response"):
         for message in messages_sent(device, link, direction):
@@ -139,7 +136,7 @@ def _data(device: Device, link: Link) -> Iterator[Diagnostic]:
 
 def _of_record(
     device: Device, link: Link, direction: str, record: Record, subject: str, owner: tuple[Place, str, str]
-) -> Iterator[Diagnostic]:
+) -> Findings:
     """Data that are too long: `owner` says where, and what to do, if no list can be shorter.
 
     Lists may fill a frame together, such as data and padding; encoders reject more.
@@ -162,7 +159,7 @@ def _of_record(
             yield finding(field.place, "length" if field.repeat is None else "repeat", text, help)
 
 
-def _remote_request(device: Device, message: Message) -> Iterator[Diagnostic]:
+def _remote_request(device: Device, message: Message) -> Findings:
     """A remote request has no data, so its code and all other parts are in the identifier."""
     for link in device.links.values():
         if not sent_on(link, message):
@@ -182,7 +179,7 @@ def _remote_request(device: Device, message: Message) -> Iterator[Diagnostic]:
         yield finding(message.place, "remote", text, help)
 
 
-def _numbers(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _numbers(device: Device, link: Link) -> Findings:
     """Constants, ranges, unit addresses and codes have no more bits than their parts."""
     for part in (*link.request, *link.response):
         if part.bits is None or part.value is None:

@@ -17,11 +17,8 @@ one of the cases.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import fields, layers, nested_fields
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Whole, is_count, is_signed
 from fieldspec.language.model.record import Case, Choice, Field, Record, choice_count
@@ -31,7 +28,7 @@ from fieldspec.language.model.value import Value
 _MOST_BYTES = 4
 
 
-def choices_complete(device: Device) -> Iterator[Diagnostic]:
+def choices_complete(device: Device) -> Findings:
     sizes = RecordSizes(device)
     part_names = {field.record for field in fields(device)}
     for layer in layers(device):
@@ -51,7 +48,7 @@ def choices_complete(device: Device) -> Iterator[Diagnostic]:
             yield finding(table.place, "record", text, help, label(own.place, "name", own.name))
 
 
-def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool) -> Iterator[Diagnostic]:
+def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool) -> Findings:
     other_fields = [other for other in layer.fields if other is not field]
     varying = next((other for other in other_fields if not sizes.is_fixed(other)), None)
     has_bits = field.choice is not None and field.choice.bits is not None
@@ -88,7 +85,7 @@ def _is_byte(layer: Record, field: Field) -> bool:
     return selector is None or selector.value is None or selector.value.size == 1
 
 
-def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Iterator[Diagnostic]:
+def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Findings:
     names = [other.name for other in layer.fields]
     selector = layer.named(choice.by)
     if selector is None:
@@ -125,7 +122,7 @@ def _mixed(device: Device, value: Value) -> bool:
     return value.size > 2 and bool(words) and words != (value.byte_order or device.byte_order)
 
 
-def _apart(choice: Choice) -> Iterator[Diagnostic]:
+def _apart(choice: Choice) -> Findings:
     first: dict[str, Case] = {}
     for case in choice.cases:
         for member in case.when:

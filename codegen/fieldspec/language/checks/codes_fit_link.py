@@ -12,10 +12,7 @@ way.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import is_count
@@ -25,7 +22,7 @@ from fieldspec.language.model.sizes import messages_on
 from fieldspec.language.model.value import Value
 
 
-def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
+def codes_fit_link(device: Device) -> Findings:
     for link in device.links.values():
         codes = [part for part in (*link.request, *link.response) if part.role == "code" and part.value is not None]
         numbers = [part for part in codes if part.value is not None and is_count(part.value.encoding)]
@@ -52,7 +49,7 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
                 yield from _check_flag(link, message)
 
 
-def _wide(link: Link, message: Message) -> Iterator[Diagnostic]:
+def _wide(link: Link, message: Message) -> Findings:
     """The codes of a message that do not fit the parts in which they are sent."""
     for key, code in message.codes:
         only_asks = key == "code" and message.response_code is not None
@@ -78,7 +75,7 @@ def _mark(error: ExceptionResponse) -> int:
     return max(error.code, 1) if error.code is not None else error.flag or 1
 
 
-def _check_flag(link: Link, message: Message) -> Iterator[Diagnostic]:
+def _check_flag(link: Link, message: Message) -> Findings:
     error = link.exception_response
     if error is None or not message.codes:
         return

@@ -12,17 +12,14 @@ another type.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.value import Conversion, Signal
 
 _SHARE = "%"
 
 
-def conversions_match_signals(device: Device) -> Iterator[Diagnostic]:
+def conversions_match_signals(device: Device) -> Findings:
     for conversion in device.conversions.values():
         if not conversion.type.low <= conversion.full_scale <= conversion.type.high:
             text = f"the full scale of {conversion.name} is {conversion.full_scale:#x}, which does not fit"
@@ -34,7 +31,7 @@ def conversions_match_signals(device: Device) -> Iterator[Diagnostic]:
                 yield from _compare_scales(conversion, signal)
 
 
-def _compare_scales(conversion: Conversion, signal: Signal) -> Iterator[Diagnostic]:
+def _compare_scales(conversion: Conversion, signal: Signal) -> Findings:
     if signal.value.type is not conversion.type:
         text = f"{signal.name} is {signal.value.type.name}, but {conversion.name} is for {conversion.type.name}"
         related_label = label(signal.place, "type", signal.name)

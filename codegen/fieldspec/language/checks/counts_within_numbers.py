@@ -11,14 +11,11 @@ erratum with `printed: {allow: ~}`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 
 
-def counts_within_numbers(device: Device) -> Iterator[Diagnostic]:
+def counts_within_numbers(device: Device) -> Findings:
     for message in device.messages.values():
         fields = {field.name: field for field in message.request.fields}
         for name, first in fields.items():

@@ -15,12 +15,11 @@ without such a value, omit `detected_by`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Detection, Device, VersionLine
 from fieldspec.language.model.encoding import is_count, is_text
 from fieldspec.language.model.fact import Fact
@@ -32,7 +31,7 @@ _HEXADECIMAL = re.compile("[0-9A-F]{1,9}")
 _HELP = "correct `form` and `places`, write the version with the same number of digits, or add `detected_as`"
 
 
-def detections_apply(device: Device) -> Iterator[Diagnostic]:
+def detections_apply(device: Device) -> Findings:
     for line in device.lines:
         detection = line.detected_by
         if detection is not None:
@@ -55,7 +54,7 @@ def detections_apply(device: Device) -> Iterator[Diagnostic]:
             yield finding(other.place, "fact", text, "state one of them for all lines", related_label)
 
 
-def _of_detection(device: Device, line: VersionLine, detection: Detection) -> Iterator[Diagnostic]:
+def _of_detection(device: Device, line: VersionLine, detection: Detection) -> Findings:
     fact = _fact(device, detection)
     if fact is None:
         return
@@ -110,7 +109,7 @@ def _fact(device: Device, detection: Detection) -> Fact | None:
     return next((fact for fact in facts(device) if fact.place.path == detection.fact), None)
 
 
-def _unrepresented(device: Device, line: VersionLine, detection: Detection) -> Iterator[Diagnostic]:
+def _unrepresented(device: Device, line: VersionLine, detection: Detection) -> Findings:
     """The versions that no number of the value stands for, where a form says how numbers are read."""
     value = getattr(_fact(device, detection), "value", None)
     if not isinstance(value, Value) or not is_count(value.encoding) or not detection.form:

@@ -16,13 +16,12 @@ number as a binary one: its bytes become the hexadecimal digits.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import chain
 
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.checks.facts import layers, values
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import NIBBLES, NO_CHARACTERS, digit_bounds, digit_count, digits_text
@@ -38,7 +37,7 @@ _MOST_BYTES = 8
 """The bytes of the greatest number in BCD that outputs take apart."""
 
 
-def digits_fit(device: Device) -> Iterator[Diagnostic]:
+def digits_fit(device: Device) -> Findings:
     binary_uses = _binary_fields(device)
     for link in device.links.values():
         yield from _sent_twice(device, link)
@@ -65,7 +64,7 @@ def _binary_form(fact: Fact) -> str:
     return "state it as a binary number, or as the bytes of its characters"
 
 
-def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _sent_twice(device: Device, link: Link) -> Findings:
     """The first digits on a link that sends every byte as two characters."""
     if link.transmission != "hex_ascii":
         return
@@ -81,7 +80,7 @@ def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
             return
 
 
-def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_form(fact: Fact, value: Value) -> Findings:
     """The findings of the form of the digits, the first one of each value."""
     kind = value.type
     if isinstance(fact, Part) and (not is_count(kind.encoding) or is_signed(kind.encoding)):
@@ -114,7 +113,7 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield finding(fact.place, "type", text, _wider(fact, value))
 
 
-def _of_codec(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_codec(fact: Fact, value: Value) -> Findings:
     """The finding of a number of a codec that its type does not have, or that has no digits to vary."""
     low, high = digit_bounds(value)
     if not _has_digits(value.type) or low < value.type.low or high > value.type.high:
@@ -139,7 +138,7 @@ def _has_digits(primitive: Primitive) -> bool:
             assert_never(encoding)
 
 
-def _of_padding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_padding(fact: Fact, value: Value) -> Findings:
     """The finding of blanks where no leading zeros are, and of zeros, which are there anyway."""
     if isinstance(fact, Part):
         return  # it has no such key, which reading says
@@ -169,7 +168,7 @@ def _wider(fact: Fact, value: Value) -> str:
     return f"use `{'i' if signed else 'u'}{bits}`, with a range"
 
 
-def _of_part(part: Part, value: Value) -> Iterator[Diagnostic]:
+def _of_part(part: Part, value: Value) -> Findings:
     """The findings of a part of a frame, whose digits have no sign and are bytes of their own."""
     if part.role == "plain" and is_count(value.encoding) and is_signed(value.encoding):
         text = f"the part {part.name} is {value.type.name}, and the digits of a part have no sign"

@@ -10,24 +10,21 @@ Fix: Correct the table or the element, and write an erratum if the manual prints
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import addresses, finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, addresses, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.sizes import RecordSizes
 
 
-def elements_match_table(device: Device) -> Iterator[Diagnostic]:
+def elements_match_table(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for table in device.tables.values():
         size = sizes.named(table.record)
         yield from _of_table(table, table.words if size is None else size // 2)
 
 
-def _of_table(table: Table, words: int | None) -> Iterator[Diagnostic]:
+def _of_table(table: Table, words: int | None) -> Findings:
     base = label(table.place, "base", "the first element")
     for element in table.elements:
         if element.index not in table.indexes:

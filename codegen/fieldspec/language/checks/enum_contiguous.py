@@ -13,10 +13,8 @@ manual should have the row. If the numbers are intentionally not consecutive, wr
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import enumeration, finding, interval, label, missing
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding, interval, label, missing
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.ranges import Ranges
@@ -26,7 +24,7 @@ _FEWEST_MASKS = 4
 _INTERVAL = re.compile(r"(-?(?:0x[0-9A-Fa-f]+|[0-9]+))(?:\.\.(-?(?:0x[0-9A-Fa-f]+|[0-9]+)))?")
 
 
-def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
+def enum_contiguous(device: Device) -> Findings:
     for enum in device.enums.values():
         values = [member.value for member in enum.members]
         if not values or enum.derived:
@@ -59,7 +57,7 @@ def _are_masks(values: list[int]) -> bool:
     return len(bits) >= _FEWEST_MASKS and all(value > 0 and value & (value - 1) == 0 for value in bits)
 
 
-def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[int, int], ...]) -> Iterator[Diagnostic]:
+def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[int, int], ...]) -> Findings:
     left = [hole for hole in missing(span, values) if not _covered(hole, declared)]
     if left:
         next_member = min((m for m in enum.members if m.value > left[0][1]), key=lambda member: member.value)

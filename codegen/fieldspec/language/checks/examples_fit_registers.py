@@ -12,12 +12,9 @@ Fix: Correct the frame or the register, and write an erratum.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, hexadecimal, label, range_key
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label, range_key
 from fieldspec.language.checks.numbers import Legal, in_counts
 from fieldspec.language.checks.occupants import Addressed, Addresses
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.raw_numbers import orders_of
@@ -29,7 +26,7 @@ _MOST_WORDS = 0x10000
 _REFUSED = {"read": "wo", "write": "ro"}
 
 
-def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
+def examples_fit_registers(device: Device) -> Findings:
     addresses = Addresses(device)
     legal = Legal(device)
     refused = {reply.reply_to for reply in device.examples.values() if reply.exception_response}
@@ -55,7 +52,7 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
 
 def _accessed(
     device: Device, addresses: Addresses, access: RegisterAccess, start: int, message: Message, example: Example
-) -> Iterator[Diagnostic]:
+) -> Findings:
     """The fault of the words that a request addresses: nothing begins there, or its access forbids it."""
     if not addresses.at(access.space, start):
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
@@ -72,7 +69,7 @@ def _accessed(
 
 def _valued(
     occupant: Addressed, address: int, number: int | float | None, legal: Legal, writes: bool, example: Example
-) -> Iterator[Diagnostic]:
+) -> Findings:
     """The fault of a number at an address, as it is read; a trigger may be read as any number."""
     value = occupant.value
     if value is None or (isinstance(occupant.fact, Register) and occupant.fact.trigger and not writes):

@@ -13,10 +13,7 @@ instead.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label, near
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, near
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_bytes
 from fieldspec.language.model.encoding import is_count, is_signed
@@ -28,7 +25,7 @@ from fieldspec.language.model.subcodes import Place, constant_at
 from fieldspec.language.model.value import Value
 
 
-def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
+def exception_marks_distinct(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for link in device.links.values():
         error = link.exception_response
@@ -57,9 +54,7 @@ def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
                 yield from _apart(device, sizes, link, message, *constant)
 
 
-def _apart(
-    device: Device, sizes: RecordSizes, link: Link, message: Message, place: Place, number: int
-) -> Iterator[Diagnostic]:
+def _apart(device: Device, sizes: RecordSizes, link: Link, message: Message, place: Place, number: int) -> Findings:
     """Whether the bytes at an offset of the response of a message never equal a number."""
     offset, size, order = place
     mark = number.to_bytes(size, "little" if order == "little" else "big")

@@ -15,12 +15,11 @@ bounds of the scaled value in counts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.checks.inferred_keys_present import has_key
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.access import readable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
@@ -33,7 +32,7 @@ from fieldspec.language.model.value import MOST_PLACES, Value
 _OWN = ("scale", "offset", "enum", "flags", "const", "parameter", "measures", "reserved")
 
 
-def exponents_apply(device: Device) -> Iterator[Diagnostic]:
+def exponents_apply(device: Device) -> Findings:
     registers = {register.name: register for register in device.registers()}
     for register in registers.values():
         if not register.value.scale_by:
@@ -53,7 +52,7 @@ def exponents_apply(device: Device) -> Iterator[Diagnostic]:
 
 def _of_field(
     device: Device, layer: Record, field: Field, registers: Mapping[str, Register], tables: Sequence[Table]
-) -> Iterator[Diagnostic]:
+) -> Findings:
     """The findings of the exponent of a field, which is another field or a register. `tables` have its record."""
     name = field.value.scale_by if field.value is not None else ""
     sibling, register = layer.named(name), registers.get(name)
@@ -70,7 +69,7 @@ def _of_field(
         yield from _unfit(field, register, wrong)
 
 
-def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
+def _scaled(fact: Register | Field, value: Value) -> Findings:
     """The findings of a value that takes its scale from an exponent and cannot do so."""
     if not is_count(value.encoding):
         text = f"{fact.name} is {value.type.name}, to which `scale_by` does not apply"
@@ -82,7 +81,7 @@ def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
             yield finding(fact.place, key, text, "remove one of them")
 
 
-def _unfit(fact: Register | Field, exponent: Register | Field, wrong: str) -> Iterator[Diagnostic]:
+def _unfit(fact: Register | Field, exponent: Register | Field, wrong: str) -> Findings:
     if wrong:
         kind = "register" if isinstance(exponent, Register) else "field"
         text = f"{exponent.name} cannot be the exponent of {fact.name}: {wrong}"

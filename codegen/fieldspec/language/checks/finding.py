@@ -16,7 +16,8 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact, Place
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
 
-Check: TypeAlias = Callable[[Device], Iterator[Diagnostic]]
+Findings: TypeAlias = Iterator[Diagnostic]
+Check: TypeAlias = Callable[[Device], Findings]
 
 _MOST_WORDS = 6
 _SEARCHED = 2000

@@ -12,15 +12,12 @@ Fix: Correct the bit, and write an erratum. If its position really differs, set 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
 
 
-def flags_forms_agree(device: Device) -> Iterator[Diagnostic]:
+def flags_forms_agree(device: Device) -> Findings:
     forms: dict[str, list[Flags]] = {}
     for word in device.flags.values():
         if word.printed_name:
@@ -34,7 +31,7 @@ def flags_forms_agree(device: Device) -> Iterator[Diagnostic]:
                     yield from _compare_bits(word, bit, other, same)
 
 
-def _compare_bits(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Diagnostic]:
+def _compare_bits(word: Flags, bit: Bit, other: Flags, same: Bit) -> Findings:
     for key, mine, theirs in (
         ("bits" if "bits" in bit.place else "bit", _place(bit), _place(same)),
         ("active", f"the active level {bit.active}", f"the active level {same.active}"),

@@ -13,15 +13,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.foundation.names import Name
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.record import Record
 from fieldspec.language.model.sizes import messages_on
 
 
-def header_names_distinct(device: Device) -> Iterator[Diagnostic]:
+def header_names_distinct(device: Device) -> Findings:
     reported: set[int] = set()
     for link in device.links.values():
         for direction in ("request", "response"):

@@ -10,16 +10,13 @@ Fix: Add a reason under `inferred` for the key that was interpreted, or remove t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 
 
-def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
+def illegible_inferred(device: Device) -> Findings:
     illegible = [erratum for erratum in device.errata if erratum.illegible]
     if not illegible:
         return

@@ -14,14 +14,12 @@ Fix: Remove the key, or correct the type.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import partial
 
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import finding, range_key
+from fieldspec.language.checks.finding import Findings, finding, range_key
 from fieldspec.language.checks.settled import of_values
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
@@ -67,12 +65,12 @@ def _unfit(encoding: Encoding) -> tuple[tuple[str, ...], str]:
             assert_never(encoding)
 
 
-def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
+def keys_fit_type(device: Device) -> Findings:
     yield from of_values(device, partial(_of_value, device))
     yield from _ordered_checksums(device)
 
 
-def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(device: Device, fact: Fact, value: Value) -> Findings:
     unfit_keys, help = _unfit(value.encoding)
     bit_keys = _OF_BITS if value.type.name == BIT else ()
     for key in dict.fromkeys((*unfit_keys, *bit_keys)):
@@ -112,7 +110,7 @@ def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield finding(fact.place, "sentinels", text, "state each number under `value`")
 
 
-def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_names(fact: Fact, value: Value) -> Findings:
     """The keys that a number with an enum or a bit field cannot have."""
     keys = ("enum", *_SCALED, "unit") if value.flags else _SCALED if value.enum else ()
     names = "is a word of bits" if value.flags else f"has the names of {value.enum}"
@@ -131,7 +129,7 @@ def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield finding(fact.place, "type", text, help)
 
 
-def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Findings:
     """The truth value that a closed enum lacks, although readers accept both truth values."""
     if enum is None or enum.open:
         return
@@ -143,7 +141,7 @@ def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Iterator[Diagnost
         yield finding(fact.place, "enum", text, help)
 
 
-def _ordered_checksums(device: Device) -> Iterator[Diagnostic]:
+def _ordered_checksums(device: Device) -> Findings:
     """The checksums of one byte with a byte order, which do not combine wider numbers."""
     for part in (part for link in device.links.values() for part in (*link.request, *link.response)):
         if part.role != "checksum" or "byte_order" not in part.place or part.digits:

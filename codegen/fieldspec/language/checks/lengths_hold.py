@@ -16,8 +16,7 @@ from collections.abc import Iterator
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.source import Span
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, interval, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, interval, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Place
@@ -29,7 +28,7 @@ from fieldspec.language.model.value import Value
 _HELP = "correct the number of elements or the type"
 
 
-def lengths_hold(device: Device) -> Iterator[Diagnostic]:
+def lengths_hold(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for layer in layers(device):
         fields = {field.name: field for field in layer.fields}
@@ -57,7 +56,7 @@ class _Frame:
     most: int
 
 
-def _of_field(field: Field, measure: Measure, measured: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
+def _of_field(field: Field, measure: Measure, measured: Field, sizes: RecordSizes) -> Findings:
     if field.value is None or not is_count(field.value.encoding):
         return
     if measure.of == "bytes":
@@ -109,7 +108,7 @@ def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Fra
                     yield _Frame(name, place, key, part, part.value, minimum, maximum)
 
 
-def _of_data(frame: _Frame) -> Iterator[Diagnostic]:
+def _of_data(frame: _Frame) -> Findings:
     """The findings of a length part that cannot have the length of frames with some data."""
     value, unit, part, frame_name = frame.value, frame.part.unit_size, frame.part, frame.name
     low, high = (value.low, value.high) if value.ranges is None else (value.ranges.low, value.ranges.high)
@@ -131,7 +130,7 @@ def _help(part: Part) -> str:
     return "correct `plus`, the number of elements or the type" if part.plus else _HELP
 
 
-def _of_words(frames: list[_Frame]) -> Iterator[Diagnostic]:
+def _of_words(frames: list[_Frame]) -> Findings:
     """Whether frames of one size have whole words where words are counted: if none has, the length part is wrong."""
     by_part: dict[Span, list[_Frame]] = {}
     for frame in frames:

@@ -10,16 +10,14 @@ Fix: Correct one of them, or state the number, and write an erratum if the manua
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from decimal import Decimal
 from itertools import pairwise
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 
 
-def limits_ordered(device: Device) -> Iterator[Diagnostic]:
+def limits_ordered(device: Device) -> Findings:
     for limit in device.limits:
         rising = [
             (key, number) for key, number in _limit_text(limit.low, limit.value, limit.high) if number is not None

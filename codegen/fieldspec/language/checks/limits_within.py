@@ -11,11 +11,9 @@ Fix: Correct the number or the reference, and write an erratum if the manual pri
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from decimal import Decimal
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.sizes import RecordSizes, messages_sent, shapes
 from fieldspec.language.model.texts import Limit
@@ -24,7 +22,7 @@ _SECOND = {"us": 1_000_000, "ms": 1000, "s": 1}
 """How many of a unit of time a second has."""
 
 
-def limits_within(device: Device) -> Iterator[Diagnostic]:
+def limits_within(device: Device) -> Findings:
     limits = {limit.place.path: limit for limit in device.limits}
     for limit in device.limits:
         for key, paths in (("sum_of", limit.sum_of), ("within", (limit.within,))):
@@ -74,7 +72,7 @@ def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
     ), f" with a {limit.transmits} of {longest} bytes"
 
 
-def _sum(limit: Limit, parts: list[Limit]) -> Iterator[Diagnostic]:
+def _sum(limit: Limit, parts: list[Limit]) -> Findings:
     """Whether the greatest values of the parts add up to that of the limit, in its unit."""
     for part in parts:
         if part.most is None or part.unit != limit.unit:

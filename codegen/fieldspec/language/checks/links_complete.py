@@ -17,10 +17,8 @@ the decoder then states the message.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, label, near
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, near
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.escape import SLIP
@@ -33,7 +31,7 @@ _NUMBERS = ("unit_address", "code", "length")
 _GREATEST_SIZES = {"unit_address": 8, "code": WIDEST, "length": 4}
 
 
-def links_complete(device: Device) -> Iterator[Diagnostic]:
+def links_complete(device: Device) -> Findings:
     defaults = [link for link in device.links.values() if link.is_default]
     for link in defaults[1:]:
         text = f"{link.name} and {defaults[0].name} are both the default link"
@@ -63,7 +61,7 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
             yield finding(link.place, "exception_response", text, help)
 
 
-def _marked(link: Link) -> Iterator[Diagnostic]:
+def _marked(link: Link) -> Findings:
     """The part that marks exception responses is one that responses have before their body, and that may differ."""
     error = link.exception_response
     if error is None or error.normal is None:
@@ -87,7 +85,7 @@ def _marked(link: Link) -> Iterator[Diagnostic]:
         yield finding(link.place, "exception_response", text, help, label(part.place, "name", part.name))
 
 
-def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _messages_distinct(device: Device, link: Link) -> Findings:
     """A link without codes carries one message, or messages that are known to have none."""
     messages = messages_on(device, link)
     odd = next((message for message in messages if message.code is not None or not message.links), None)
@@ -114,7 +112,7 @@ _REPEATED = {
 }
 
 
-def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:
+def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Findings:
     if direction not in link.place:
         text = f"the {direction} of {link.name} has no parts"
         help = "state them under `frame`, or under `request` and `response` where these differ"
@@ -150,7 +148,7 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
             yield finding(part.place, "name", text, help)
 
 
-def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
+def _of_type(device: Device, part: Part) -> Findings:
     """Whether codecs can take the value of a part for a number."""
     if part.value is None:
         return
@@ -192,7 +190,7 @@ def _missing_part(link: Link, direction: str, name: str, names: list[str]) -> st
     )
 
 
-def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
+def _of_span(link: Link, direction: str, part: Part) -> Findings:
     """Whether a length counts, or a check covers, neighbouring parts that it can."""
     parts = link.parts(direction)
     key = "measures" if part.role == "length" else "covers"
@@ -220,7 +218,7 @@ def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
         yield finding(part.place, key, text, "end before it, or begin after it")
 
 
-def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
+def _computable(link: Link, direction: str) -> Findings:
     """Whether no checksums cover each other, so that one of them is computed first."""
     parts = link.parts(direction)
     checks = {part.name: part for part in parts if part.role == "checksum" and part.algorithm}
@@ -238,7 +236,7 @@ def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
         yield finding(part.place, "covers", text, help, label(other.place, "covers", other.name))
 
 
-def _of_sent_bytes(link: Link, direction: str) -> Iterator[Diagnostic]:
+def _of_sent_bytes(link: Link, direction: str) -> Findings:
     """Whether no checksum of original bytes covers a part of those that are sent, as each would depend on the other."""
     parts, (start, stop) = link.parts(direction), link.escaped_span(direction) or (0, -1)
     of_original = [start <= index <= stop or part.span.before_escape for index, part in enumerate(parts)]
@@ -257,7 +255,7 @@ def _of_sent_bytes(link: Link, direction: str) -> Iterator[Diagnostic]:
             yield finding(part.place, "name", text, help, related_label)
 
 
-def _before_escape(link: Link, direction: str) -> Iterator[Diagnostic]:
+def _before_escape(link: Link, direction: str) -> Findings:
     """Whether `before_escape` changes anything: where bytes are escaped, for a part that is not escaped itself."""
     start, stop = link.escaped_span(direction) or (0, -1)
     for index, part in enumerate(link.parts(direction)):
@@ -269,7 +267,7 @@ def _before_escape(link: Link, direction: str) -> Iterator[Diagnostic]:
             yield finding(part.place, key, text, "remove `before_escape`")
 
 
-def _of_mark(link: Link, direction: str) -> Iterator[Diagnostic]:
+def _of_mark(link: Link, direction: str) -> Findings:
     """Whether something marks frames with the byte that SLIP or COBS keeps out of them."""
     escape, parts = link.escape, link.parts(direction)
     whole = escape is not None and not escape.first and not escape.last  # then another end mark has a finding anyway
@@ -290,7 +288,7 @@ def _of_mark(link: Link, direction: str) -> Iterator[Diagnostic]:
         yield finding(link.place, "escape", text, f'add `end: "{mark:02X}"`, or remove `escape`')
 
 
-def _preambled(link: Link) -> Iterator[Diagnostic]:
+def _preambled(link: Link) -> Findings:
     """Whether frames show where their preamble ends, and have a length, by which framers find them."""
     preamble, key = link.preamble, "preamble"
     if preamble is None:
@@ -315,7 +313,7 @@ def _constant_bytes(value: Value) -> bytes:
     return ((value.const or 0) & (1 << 8 * value.size) - 1).to_bytes(value.size, "big")
 
 
-def _escapable(link: Link) -> Iterator[Diagnostic]:
+def _escapable(link: Link) -> Findings:
     """Whether the escape of a link applies to parts that it has, the body among them, and hides the end mark."""
     escape = link.escape
     if escape is None or link.is_can:

@@ -11,10 +11,7 @@ a scanned PDF; or `url` and `read` for a page on the web.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import enumeration, finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding
 from fieldspec.language.model.device import Device
 
 _FORMS = (("file", "sha256", "lines"), ("file", "sha256", "pages"), ("url", "read"))
@@ -24,7 +21,7 @@ _HELP = (
 )
 
 
-def manual_identified(device: Device) -> Iterator[Diagnostic]:
+def manual_identified(device: Device) -> Findings:
     keys = {key for form in _FORMS for key in form if getattr(device.manual, key)}
     if keys in map(set, _FORMS):
         return

@@ -11,11 +11,9 @@ Fix: Correct the range or the repetitions, and write an erratum for the misprint
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, interval, label, range_key
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, interval, label, range_key
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.record import Field, Record
@@ -25,7 +23,7 @@ from fieldspec.language.model.value import Value
 _KEYS = ("const", "default", "unit_default", "scale", "offset", "enum", "flags", "sentinels", "parameter")
 
 
-def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
+def measures_match_repeats(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
@@ -39,7 +37,7 @@ def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
                 yield finding(field.place, "type", f"{text} has a sign", help, severity=severity)
 
 
-def _of_number(field: Field, value: Value) -> Iterator[Diagnostic]:
+def _of_number(field: Field, value: Value) -> Findings:
     """The findings of a field that measures another one and is not a number that encoders compute."""
     assert field.measures is not None
     statement = f"{field.name} counts {field.measures.of} of {field.measures.field}"
@@ -53,7 +51,7 @@ def _of_number(field: Field, value: Value) -> Iterator[Diagnostic]:
             yield finding(field.place, key, text, "remove it, or remove `measures`")
 
 
-def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
+def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Findings:
     ranges = field.value.ranges if field.value is not None else None
     measured = layer.named(field.measures.field) if field.measures is not None else None
     if ranges is None or measured is None or measured.repeat is None or field.measures is None:

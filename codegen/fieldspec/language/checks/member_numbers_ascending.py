@@ -10,22 +10,19 @@ Fix: Correct the number, and write an erratum if the manual prints it that way.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label, longest_ascent
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, longest_ascent
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum, Member
 
 _SMALL = 8
 
 
-def member_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
+def member_numbers_ascending(device: Device) -> Findings:
     for enum in device.enums.values():
         yield from _of_enum(enum, [(member.number, member) for member in enum.members if member.number is not None])
 
 
-def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Iterator[Diagnostic]:
+def _of_enum(enum: Enum, rows: list[tuple[int, Member]]) -> Findings:
     first: dict[int, Member] = {}
     for number, member in rows:
         other = first.setdefault(number, member)

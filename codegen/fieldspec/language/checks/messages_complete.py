@@ -16,10 +16,7 @@ response with its code in a constant at one common offset.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.record import Message, Record
@@ -27,7 +24,7 @@ from fieldspec.language.model.sizes import RecordSizes, coded, messages_on, sent
 from fieldspec.language.model.subcodes import Numbers, Place, distinct_place, numbers_at
 
 
-def messages_complete(device: Device) -> Iterator[Diagnostic]:
+def messages_complete(device: Device) -> Findings:
     for link in device.links.values():
         yield from _coded(device, link) if coded(link) else _numbered(device, link)
     for message in device.messages.values():
@@ -36,7 +33,7 @@ def messages_complete(device: Device) -> Iterator[Diagnostic]:
         yield from _check_response_code(device, message)
 
 
-def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _coded(device: Device, link: Link) -> Findings:
     by_code: dict[int, list[Message]] = {}
     for message in messages_on(device, link):
         code = message.code_of("request")
@@ -52,7 +49,7 @@ def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
     yield from _unrequested(device, sizes, link)
 
 
-def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iterator[Diagnostic]:
+def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Findings:
     """Several messages have a code: the numbers of a field in their requests tell them apart."""
     places = [_places(device, sizes, message.request) for message in messages]
     if len(messages) < 2 or distinct_place(places) is not None:
@@ -74,7 +71,7 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
     yield finding(message.place, "code", text, help, label(other.place, "code", other.name))
 
 
-def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Diagnostic]:
+def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Findings:
     """Unrequested messages are identified without a request."""
     answered_messages = [message for message in messages_on(device, link) if message.is_answered_on(link.name)]
     is_coded = any(part.role == "code" for part in link.response)
@@ -100,7 +97,7 @@ def _places(device: Device, sizes: RecordSizes, record: Record) -> dict[Place, N
     return dict(place_and_numbers for place_and_numbers in places if place_and_numbers is not None)
 
 
-def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _numbered(device: Device, link: Link) -> Findings:
     first: dict[int, Message] = {}
     for message in messages_on(device, link):
         other = first.setdefault(message.number, message) if message.number is not None else message
@@ -110,7 +107,7 @@ def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
             yield finding(message.place, "number", text, "correct one of the numbers", related_label)
 
 
-def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
+def _check_answers(device: Device, message: Message) -> Findings:
     """A message is answered only where it is sent, and one that reads is answered wherever it is sent."""
     if message.answered_on is None:
         return
@@ -137,7 +134,7 @@ def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
             yield finding(message.place, key, text, "remove the response there, or `answered_on`")
 
 
-def _check_response_code(device: Device, message: Message) -> Iterator[Diagnostic]:
+def _check_response_code(device: Device, message: Message) -> Findings:
     """Some response has a code in which the response code can be."""
     if message.response_code is None:
         return
@@ -149,7 +146,7 @@ def _check_response_code(device: Device, message: Message) -> Iterator[Diagnosti
         yield finding(message.place, "response_code", text, help)
 
 
-def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]:
+def _check_supplements(device: Device, message: Message) -> Findings:
     """A message that supplements others is not supplemented itself, and shares a link with each of them."""
     for name in message.supplements:
         other = device.messages.get(name)

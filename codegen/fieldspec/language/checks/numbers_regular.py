@@ -13,18 +13,16 @@ the missing row.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 from itertools import pairwise
 
-from fieldspec.language.checks.finding import finding, hexadecimal, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register
 
 _HELP = "correct the address or the number"
 
 
-def numbers_regular(device: Device) -> Iterator[Diagnostic]:
+def numbers_regular(device: Device) -> Findings:
     for group in device.groups:
         rows = [(row.number, row) for row in group.registers if row.number is not None]
         first: dict[int, Register] = {}
@@ -37,7 +35,7 @@ def numbers_regular(device: Device) -> Iterator[Diagnostic]:
         yield from _uneven(list(first.items()))
 
 
-def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
+def _uneven(rows: list[tuple[int, Register]]) -> Findings:
     """The findings of rows whose address is not the one that most rows give their number."""
     if len(rows) < 2:
         return

@@ -10,17 +10,14 @@ Fix: Correct the position or a width, and write an erratum if the manual prints 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, hexadecimal, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.sizes import RecordSizes
 
 
-def offsets_match_layout(device: Device) -> Iterator[Diagnostic]:
+def offsets_match_layout(device: Device) -> Findings:
     sizes = RecordSizes(device)
     tables: dict[str, list[Table]] = {}
     for table in device.tables.values():

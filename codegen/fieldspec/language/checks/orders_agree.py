@@ -18,8 +18,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.language.checks.facts import cases, layers, nested_fields, values
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.record import Case, Field, Record
@@ -28,7 +27,7 @@ from fieldspec.language.model.sizes import messages_on
 from fieldspec.language.model.value import Value
 
 
-def orders_agree(device: Device) -> Iterator[Diagnostic]:
+def orders_agree(device: Device) -> Findings:
     links = list(device.links.values())
     for key in ("byte_order", "word_order"):
         ordered = [link for link in links if getattr(link, key)]
@@ -52,7 +51,7 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
             yield from _of_write(device, register)
 
 
-def _of_write(device: Device, register: Register) -> Iterator[Diagnostic]:
+def _of_write(device: Device, register: Register) -> Findings:
     """Whether the order of a register's words differs between writing and reading."""
     value, key = register.value, "write_word_order"
     if register.access == "ro":
@@ -64,7 +63,7 @@ def _of_write(device: Device, register: Register) -> Iterator[Diagnostic]:
         yield finding(register.place, key, text, "remove it, or correct the `word_order`")
 
 
-def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _in_words(device: Device, link: Link) -> Findings:
     """A link on which data are counted in words, or values have words, says itself which word of a number comes first.
 
     Where no link exchanges words, values need no word order.

@@ -12,11 +12,8 @@ Fix: Use the next wider type, count the elements, or remove `packed_bits`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import layers, nested_fields
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Whole
 from fieldspec.language.model.record import Field, Record
@@ -26,7 +23,7 @@ _KEY = "packed_bits"
 _MOST_BITS = 32
 
 
-def packed_lists_complete(device: Device) -> Iterator[Diagnostic]:
+def packed_lists_complete(device: Device) -> Findings:
     for layer in layers(device):
         for field in layer.fields:
             if _KEY not in field.place:
@@ -73,7 +70,7 @@ def _use(field: Field, value: Value) -> str:
     return next((use for use, applies in uses.items() if applies), "")
 
 
-def _of_end(layer: Record, field: Field, value: Value) -> Iterator[Diagnostic]:
+def _of_end(layer: Record, field: Field, value: Value) -> Findings:
     """The findings of the end of a list."""
     for other in layer.fields:
         if other.measures is not None and other.measures.field == field.name and other.measures.of == "bytes":

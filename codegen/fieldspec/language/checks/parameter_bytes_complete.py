@@ -17,8 +17,7 @@ from collections.abc import Iterator
 
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import cases
-from fieldspec.language.checks.finding import finding, label, near
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, near
 from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_octets
@@ -30,7 +29,7 @@ from fieldspec.language.model.registers import Parameter, ParameterSet
 from fieldspec.language.model.value import ParameterSizes, Value
 
 
-def parameter_bytes_complete(device: Device) -> Iterator[Diagnostic]:
+def parameter_bytes_complete(device: Device) -> Findings:
     for record in device.records.values():
         for field in record.fields:
             for value in (field.value, *(case.value for case in cases(field))):
@@ -53,7 +52,7 @@ def _has_bytes(value: Value | None) -> bool:
     return value is not None and is_octets(value.encoding)
 
 
-def _of_field(device: Device, record: Record, field: Field) -> Iterator[Diagnostic]:
+def _of_field(device: Device, record: Record, field: Field) -> Findings:
     for case in cases(field):
         if _part(case.value) == "value" and _has_bytes(case.value):
             text = f"{case.name} has the value of a parameter in bytes, and {field.name} has several types"
@@ -86,7 +85,7 @@ def _of_field(device: Device, record: Record, field: Field) -> Iterator[Diagnost
     yield from _of_sizes(field, value.size, part.sizes, enum)
 
 
-def _of_sizes(field: Field, size: int, sizes: ParameterSizes, enum: Enum) -> Iterator[Diagnostic]:
+def _of_sizes(field: Field, size: int, sizes: ParameterSizes, enum: Enum) -> Findings:
     names: set[str] = set()
     numbers: set[int] = set()
     for case in sizes.cases:
@@ -107,7 +106,7 @@ def _of_sizes(field: Field, size: int, sizes: ParameterSizes, enum: Enum) -> Ite
         numbers.add(case.bytes)
 
 
-def _of_set(device: Device, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+def _of_set(device: Device, parameter_set: ParameterSet) -> Findings:
     """The values of a set against the numbers of bytes that messages read and write."""
     names = (parameter_set.name, parameter_set.space)
     messages = device.messages.values()

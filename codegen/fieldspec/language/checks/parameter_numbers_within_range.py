@@ -12,13 +12,11 @@ only some parameters of a set, state all numbers under `numbers`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.addresses import wire_numbers
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import enumeration, finding, interval, label, range_key
-from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.checks.finding import Findings, enumeration, finding, interval, label, range_key
+from fieldspec.language.diagnostics import Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
@@ -28,7 +26,7 @@ from fieldspec.language.model.registers import ParameterSet
 from fieldspec.language.model.value import Value
 
 
-def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
+def parameter_numbers_within_range(device: Device) -> Findings:
     for parameter_set in device.parameters.values():
         yield from _set_numbers(parameter_set)
     for fact, value in values(device):
@@ -42,7 +40,7 @@ def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
             yield from _field_numbers(fact, sets[0])
 
 
-def _set_numbers(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+def _set_numbers(parameter_set: ParameterSet) -> Findings:
     numbers = parameter_set.numbers
     if numbers is None:
         return
@@ -55,7 +53,7 @@ def _set_numbers(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
             yield finding(parameter.place, "number", text, "correct the number or the set", related_label)
 
 
-def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+def _field_numbers(field: Field, parameter_set: ParameterSet) -> Findings:
     """Whether a field has one value for each number of a set, and each parameter has one value."""
     parameter_count = sum(parameter.count for parameter in parameter_set.parameters)
     ranges = field.repeat or Ranges(((field.count or 1, field.count or 1),))
@@ -77,7 +75,7 @@ def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagno
         yield finding(field.place, "parameter", text, help, related_label)
 
 
-def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Iterator[Diagnostic]:
+def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Findings:
     """A field's range against the numbers on the wire, or, where it has none, its type."""
     if not is_count(value.encoding):
         return

@@ -13,12 +13,10 @@ Fix: Correct the type of the parameter or of the field. Name the field with the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.source import Span
 from fieldspec.language.checks.facts import cases, fields
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_octets
 from fieldspec.language.model.record import Field
@@ -28,7 +26,7 @@ _BARRED = ("scale", "offset", "flags", "count", "repeat", "reserved")
 """Keys that a field with a single number, subindex or value of a parameter cannot have."""
 
 
-def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
+def parameters_fit_messages(device: Device) -> Findings:
     yield from _references(device)
     carriers: dict[str, list[tuple[int, Field]]] = {}
     for field in fields(device):
@@ -52,7 +50,7 @@ def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
                 yield finding(parameter.place, "type", text, help, related_label, severity=Severity.WARNING)
 
 
-def _references(device: Device) -> Iterator[Diagnostic]:
+def _references(device: Device) -> Findings:
     """The findings of fields with numbers, subindices and values, and of the numbers that they name."""
     for record in device.records.values():
         yield from _of_layer(device, record.fields, record.fields)
@@ -62,7 +60,7 @@ def _references(device: Device) -> Iterator[Diagnostic]:
         yield from _of_layer(device, response_fields, (*response_fields, *request_fields))
 
 
-def _of_layer(device: Device, layer: tuple[Field, ...], known: tuple[Field, ...]) -> Iterator[Diagnostic]:
+def _of_layer(device: Device, layer: tuple[Field, ...], known: tuple[Field, ...]) -> Findings:
     for field in layer:
         part = field.value.parameter if field.value is not None else None
         if part is None or part.part == "values":

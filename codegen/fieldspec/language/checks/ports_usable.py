@@ -10,10 +10,7 @@ Fix: State `udp` in place of `tcp` if each datagram is a frame. State a port onl
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link
 
@@ -21,7 +18,7 @@ _ENDING = ("length", "code", "checksum")
 """The roles of parts that determine the end of a frame."""
 
 
-def ports_usable(device: Device) -> Iterator[Diagnostic]:
+def ports_usable(device: Device) -> Findings:
     owners: dict[tuple[str, int], str] = {}
     for link in device.links.values():
         if link.is_can:

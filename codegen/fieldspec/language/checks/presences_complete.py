@@ -20,8 +20,7 @@ from collections.abc import Iterator
 
 from fieldspec.foundation.classes import replace
 from fieldspec.language.checks.facts import layers, nested_fields
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Whole, is_signed
 from fieldspec.language.model.raw_numbers import orders_of
@@ -35,7 +34,7 @@ _MOST_BYTES = 4
 _MOST_BITS = 16
 
 
-def presences_complete(device: Device) -> Iterator[Diagnostic]:
+def presences_complete(device: Device) -> Findings:
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
     sizes = RecordSizes(device)
     for layer in layers(device):
@@ -81,7 +80,7 @@ def _stated_key(field: Field) -> str:
     return next((key for key, own in is_stated.items() if own is not None), "")
 
 
-def _decided(device: Device, layer: Record, field: Field, presence: Presence) -> Iterator[Diagnostic]:
+def _decided(device: Device, layer: Record, field: Field, presence: Presence) -> Findings:
     """The findings of the field that decides on another one."""
     names = [other.name for other in layer.fields]
     decider = layer.named(presence.by)
@@ -175,7 +174,7 @@ def _objection(device: Device, decider: Field, bits: tuple[tuple[int, int], ...]
     return "its word order differs from its byte order" if is_swapped else ""
 
 
-def _measured(layer: Record, field: Field) -> Iterator[Diagnostic]:
+def _measured(layer: Record, field: Field) -> Findings:
     """The findings of fields that measure an optional one, or a list whose elements say which is the last."""
     key = _stated_key(field)
     for other in layer.fields:

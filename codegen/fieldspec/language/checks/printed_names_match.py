@@ -12,11 +12,10 @@ case are not distinguished.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import TypeAlias
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 
@@ -25,7 +24,7 @@ _FORM = re.compile(r"[^{}]*\{(value|number)(?::[0-9]{0,2}[dxXob]?)?\}[^{}]*")
 _Rows: TypeAlias = list[tuple[Fact, Mapping[str, int | None]]]
 
 
-def printed_names_match(device: Device) -> Iterator[Diagnostic]:
+def printed_names_match(device: Device) -> Findings:
     for enum in device.enums.values():
         members: _Rows = [(member, {"value": member.value, "number": member.number}) for member in enum.members]
         yield from _of_list(enum, enum.printed_as, ("value", "number"), members)
@@ -34,7 +33,7 @@ def printed_names_match(device: Device) -> Iterator[Diagnostic]:
         yield from _of_list(parameter_set, parameter_set.printed_as, ("number",), rows)
 
 
-def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Iterator[Diagnostic]:
+def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Findings:
     if not form:
         return
     match = _FORM.fullmatch(form)
@@ -48,7 +47,7 @@ def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Ite
             yield from _compare_names(holder, row, form.format(**numbers), match[1])
 
 
-def _compare_names(holder: Fact, row: Fact, right: str, key: str) -> Iterator[Diagnostic]:
+def _compare_names(holder: Fact, row: Fact, right: str, key: str) -> Findings:
     printed = [(row.place, row.printed_name)]
     printed += [(claim.place, str(claim.values.get("printed_name") or "")) for claim in row.restated]
     for place, name in printed:

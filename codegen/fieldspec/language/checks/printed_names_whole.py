@@ -9,15 +9,12 @@ Fix: Write the name without the space, and an erratum with the printed name.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 
 
-def printed_names_whole(device: Device) -> Iterator[Diagnostic]:
+def printed_names_whole(device: Device) -> Findings:
     for fact in facts(device):
         if "_" in fact.printed_name and len(fact.printed_name.split()) > 1:
             text = f"the printed name `{fact.printed_name}` contains a space"

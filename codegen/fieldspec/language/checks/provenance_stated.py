@@ -12,17 +12,14 @@ Fix: Remove the source, the reason or the report, or add what is missing.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.checks.inferred_keys_present import has_key
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import COMPUTED, Fact
 
 
-def provenance_stated(device: Device) -> Iterator[Diagnostic]:
+def provenance_stated(device: Device) -> Findings:
     for fact in facts(device):
         if fact.inferred or fact.standard or fact.reported:
             yield from _inferred(fact)
@@ -41,14 +38,14 @@ def provenance_stated(device: Device) -> Iterator[Diagnostic]:
             )
 
 
-def _inferred(fact: Fact) -> Iterator[Diagnostic]:
+def _inferred(fact: Fact) -> Findings:
     for key, reason in fact.inferred.items():
         if not reason.strip():
             text = f"there is no reason why `{key}` of {fact.name} is inferred"
             yield finding(fact.place, "inferred", text, "add the reason")
 
 
-def _standard(fact: Fact) -> Iterator[Diagnostic]:
+def _standard(fact: Fact) -> Findings:
     for key, standard in fact.standard.items():
         for key_name, text in (("name", standard.name), ("clause", standard.clause)):
             if not text.strip():
@@ -62,7 +59,7 @@ def _standard(fact: Fact) -> Iterator[Diagnostic]:
             yield finding(fact.place, "standard", text, "state only one of the two")
 
 
-def _reported(fact: Fact) -> Iterator[Diagnostic]:
+def _reported(fact: Fact) -> Findings:
     for report in fact.reported:
         if not report.values:
             text = f"the report about {fact.name} states no value"

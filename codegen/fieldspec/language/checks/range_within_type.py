@@ -10,13 +10,11 @@ Fix: Correct the type or the bound. Use a signed type if the manual prints negat
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import copysign
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.checks.finding import finding, outside, range_key
+from fieldspec.language.checks.finding import Findings, finding, outside, range_key
 from fieldspec.language.checks.settled import of_values, of_words
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digit_count, digits_text
 from fieldspec.language.model.encoding import (
@@ -45,14 +43,14 @@ from fieldspec.language.model.value import Value
 _HELP = "correct the type or the bound"
 
 
-def range_within_type(device: Device) -> Iterator[Diagnostic]:
+def range_within_type(device: Device) -> Findings:
     yield from of_values(device, _of_encoding)
     yield from of_words(device, _of_word)
     for link in device.links.values():
         yield from _of_unit_addresses(link)
 
 
-def _of_word(flags: Flags) -> Iterator[Diagnostic]:
+def _of_word(flags: Flags) -> Findings:
     if outside(flags.ranges, flags.type.low, flags.type.high):
         text = f"{flags.name} cannot be {_ranges_text(flags.ranges)} as {_type_range(flags.type)}"
         yield finding(flags.place, "range", text, _HELP)
@@ -64,7 +62,7 @@ def _of_word(flags: Flags) -> Iterator[Diagnostic]:
             yield finding(bit.place, range_key(bit.place), text, help)
 
 
-def _of_encoding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_encoding(fact: Fact, value: Value) -> Findings:
     encoding = value.encoding
     match encoding:
         case Whole() | Digits() | Truth():
@@ -77,7 +75,7 @@ def _of_encoding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
             assert_never(encoding)
 
 
-def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(fact: Fact, value: Value) -> Findings:
     if outside(value.ranges, value.low, value.high):
         text = f"{fact.name} cannot be {_ranges_text(value.ranges)} as {_range_of(value)}"
         yield finding(fact.place, range_key(fact.place), text, _HELP)
@@ -97,7 +95,7 @@ def _sentinel_help(value: Value, bits: int) -> str:
     return f"0x{bits:X} are the bits of {number}: write it as `{number}` or `-0x{-number:X}`"
 
 
-def _of_float(fact: Fact, value: Value, precision: Precision) -> Iterator[Diagnostic]:
+def _of_float(fact: Fact, value: Value, precision: Precision) -> Findings:
     """Bounds and sentinels that the type has exactly, and bits of a NaN."""
     width, digits = precision.value, significant_bits(precision)
     infinite, quiet = infinity(precision), quiet_nan(precision)
@@ -149,7 +147,7 @@ def _exact(number: int, precision: Precision) -> bool:
         return False
 
 
-def _of_unit_addresses(link: Link) -> Iterator[Diagnostic]:
+def _of_unit_addresses(link: Link) -> Findings:
     part = next((p for p in link.request if p.role == "unit_address" and p.value is not None), None)
     if link.unit_addresses is None or part is None or part.value is None or not is_exact(part.value.encoding):
         return

@@ -10,18 +10,15 @@ Fix: Correct the width of a field, the printed size or the stride, and write an 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Record
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.sizes import RecordSizes
 
 
-def record_size_matches(device: Device) -> Iterator[Diagnostic]:
+def record_size_matches(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for record in device.records.values():
         yield from _of_record(record, sizes)
@@ -29,7 +26,7 @@ def record_size_matches(device: Device) -> Iterator[Diagnostic]:
         yield from _of_table(table, sizes, device.records.get(table.record))
 
 
-def _of_record(record: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
+def _of_record(record: Record, sizes: RecordSizes) -> Findings:
     size = sizes.named(record.name)
     fields = label(record.place, "fields", "the fields")
     for key, printed, noun, unit_size in (("size", record.size, "byte", 1), ("words", record.words, "word", 2)):
@@ -43,7 +40,7 @@ def _of_record(record: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
             yield finding(record.place, key, text, "correct a field or the size", fields)
 
 
-def _of_table(table: Table, sizes: RecordSizes, record: Record | None) -> Iterator[Diagnostic]:
+def _of_table(table: Table, sizes: RecordSizes, record: Record | None) -> Findings:
     if record is None or record.name in sizes.endless:
         return
     size = sizes.named(record.name)

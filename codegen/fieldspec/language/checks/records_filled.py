@@ -10,17 +10,14 @@ Fix: Add the fields.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 
 _HELP = "add its fields; only exception responses may have none"
 
 
-def records_filled(device: Device) -> Iterator[Diagnostic]:
+def records_filled(device: Device) -> Findings:
     empty = {name: record for name, record in device.records.items() if not record.fields}
     if not empty:
         return

@@ -9,15 +9,12 @@ Fix: Remove the field from one of them, or name the intended record.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.sizes import MOST_LEVELS, RecordSizes
 
 
-def records_finite(device: Device) -> Iterator[Diagnostic]:
+def records_finite(device: Device) -> Findings:
     endless = RecordSizes(device).endless
     for name in endless:
         record = device.records[name]

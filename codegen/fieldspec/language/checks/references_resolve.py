@@ -10,12 +10,11 @@ Fix: Correct the name, or define the missing fact.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable
 
 from fieldspec.language.checks.facts import cases, facts, layers, values
-from fieldspec.language.checks.finding import finding, is_imported, near
+from fieldspec.language.checks.finding import Findings, finding, is_imported, near
 from fieldspec.language.checks.numbers import body
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.fact import Place
@@ -44,7 +43,7 @@ _SAVING = frozenset(("registers", "parameters", "messages", "records", "tables",
 """The sections of what is written to a device or sent to it."""
 
 
-def references_resolve(device: Device) -> Iterator[Diagnostic]:
+def references_resolve(device: Device) -> Findings:
     for fact, value in values(device):
         if value.enum:
             yield from _named(fact.place, "enum", "enum", value.enum, device.enums)
@@ -119,13 +118,13 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _of_example(device, example)
 
 
-def _named(place: Place, key: str, kind: str, name: str, known: Collection[str]) -> Iterator[Diagnostic]:
+def _named(place: Place, key: str, kind: str, name: str, known: Collection[str]) -> Findings:
     if name and name not in known:
         text = f"there is no {kind} `{name}`"
         yield finding(place, key, text, near(name, known))
 
 
-def _of_exponents(layer: Record, registers: Collection[str]) -> Iterator[Diagnostic]:
+def _of_exponents(layer: Record, registers: Collection[str]) -> Findings:
     """The exponents of the scales of fields, each of which is a field beside them or a register."""
     for field in layer.fields:
         if field.value is not None and field.value.scale_by:
@@ -140,14 +139,12 @@ def _holder(path: str) -> str:
     return "/".join(steps[:end])
 
 
-def _check_names(
-    place: Place, key: str, kind: str, names: Iterable[str], known: Collection[str]
-) -> Iterator[Diagnostic]:
+def _check_names(place: Place, key: str, kind: str, names: Iterable[str], known: Collection[str]) -> Findings:
     for name in names:
         yield from _named(place, key, kind, name, known)
 
 
-def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diagnostic]:
+def _of_part(device: Device, place: Place, part: ParameterPart) -> Findings:
     sets = {*device.parameters, *(parameter_set.space for parameter_set in device.parameters.values())}
     yield from _named(place, "parameter", "parameter set", part.set, sets)
     if part.part == "values" and len(device.sets(part.set)) > 1:
@@ -155,7 +152,7 @@ def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diag
         yield finding(place, "parameter", text, "name one of the sets")
 
 
-def _of_flags(device: Device, flags: Flags) -> Iterator[Diagnostic]:
+def _of_flags(device: Device, flags: Flags) -> Findings:
     for bit in flags.bits:
         if bit.enum:
             yield from _named(bit.place, "enum", "enum", bit.enum, device.enums)
@@ -165,7 +162,7 @@ def _of_flags(device: Device, flags: Flags) -> Iterator[Diagnostic]:
             yield from _check_names(state.place, key, f"bit of {flags.name}", names, bits)
 
 
-def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
+def _of_message(device: Device, message: Message) -> Findings:
     yield from _check_names(message.place, "links", "link", message.links, device.links)
     yield from _check_names(message.place, "answered_on", "link", message.answered_on or (), device.links)
     yield from _check_names(message.place, "supplements", "message", message.supplements, device.messages)
@@ -175,7 +172,7 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
         yield from _of_access(device, message, "accesses", access)
 
 
-def _of_access(device: Device, message: Message, key: str, access: RegisterAccess) -> Iterator[Diagnostic]:
+def _of_access(device: Device, message: Message, key: str, access: RegisterAccess) -> Findings:
     request_names = {field.name for field in message.request.fields}
     response_names = {field.name for field in message.response.fields}
     holder = response_names if access.operation == "read" else request_names
@@ -202,9 +199,7 @@ def _codes(device: Device, record: Record) -> frozenset[str]:
     return frozenset(set.intersection(*parts)) if parts else frozenset()
 
 
-def _within(
-    device: Device, layer: Record, request: Record | None, codes: frozenset[str] = frozenset()
-) -> Iterator[Diagnostic]:
+def _within(device: Device, layer: Record, request: Record | None, codes: frozenset[str] = frozenset()) -> Findings:
     """References of a layer's fields: to the layer itself, and to what was asked.
 
     `codes` are the parts of a request with its code, which exception responses may repeat.
@@ -245,7 +240,7 @@ def _enum_of(decider: Field | None) -> str:
     return decider.value.enum if decider is not None and decider.value is not None else ""
 
 
-def _of_members(device: Device, name: str, place: Place, key: str, names: tuple[str, ...]) -> Iterator[Diagnostic]:
+def _of_members(device: Device, name: str, place: Place, key: str, names: tuple[str, ...]) -> Findings:
     """References to members of the enum of a field, or of some bits of it, that decides on another one."""
     enum = device.enums.get(name)
     if enum is not None:
@@ -253,7 +248,7 @@ def _of_members(device: Device, name: str, place: Place, key: str, names: tuple[
         yield from _check_names(place, key, f"member of {enum.name}", names, members)
 
 
-def _parameter_references(field: Field, value: Value | None, numbers: Collection[str]) -> Iterator[Diagnostic]:
+def _parameter_references(field: Field, value: Value | None, numbers: Collection[str]) -> Findings:
     part = value.parameter if value is not None else None
     if part is None or part.part not in ("value", "subindex"):
         return
@@ -264,7 +259,7 @@ def _parameter_references(field: Field, value: Value | None, numbers: Collection
     yield from _named(field.place, "parameter", "field", part.number, numbers)
 
 
-def _of_lookup(device: Device, lookup: Lookup) -> Iterator[Diagnostic]:
+def _of_lookup(device: Device, lookup: Lookup) -> Findings:
     for index, column in enumerate(lookup.columns):
         if column.enum not in device.enums:
             yield from _named(lookup.place, "columns", "enum", column.enum, device.enums)
@@ -279,7 +274,7 @@ def _of_lookup(device: Device, lookup: Lookup) -> Iterator[Diagnostic]:
                 yield finding(row.place, "cells", text, near(str(cell), names))
 
 
-def _of_example(device: Device, example: Example) -> Iterator[Diagnostic]:
+def _of_example(device: Device, example: Example) -> Findings:
     place = example.place
     yield from _named(place, "link", "link", example.link, device.links)
     yield from _named(place, "message", "message", example.message, device.messages)

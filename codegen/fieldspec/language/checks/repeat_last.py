@@ -17,17 +17,14 @@ of the wire.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field, Message, Record, list_count
 from fieldspec.language.model.sizes import RecordSizes
 
 
-def repeat_last(device: Device) -> Iterator[Diagnostic]:
+def repeat_last(device: Device) -> Findings:
     sizes = RecordSizes(device)
     bodies = {id(body): message for message in device.messages.values() for body in (message.request, message.response)}
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
@@ -54,7 +51,7 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
             yield from _at_the_end(layer, field, bodies.get(id(layer)), layer.name in refusing)
 
 
-def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: Field) -> Iterator[Diagnostic]:
+def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: Field) -> Findings:
     """The findings of a field with a record that has no fixed size."""
     if inner is None:
         return
@@ -76,7 +73,7 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
             yield finding(other.place, "measures", text, help)
 
 
-def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) -> Iterator[Diagnostic]:
+def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) -> Findings:
     """The findings of fields after a list, a choice, or a record that differs in size."""
     index = next(number for number, other in enumerate(layer.fields) if other is field)
     later_fields = layer.fields[index + 1 :]
@@ -98,7 +95,7 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
         yield finding(counts[0].place, "type", text, help, label(last.place, "name", "follows it"))
 
 
-def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: bool) -> Iterator[Diagnostic]:
+def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: bool) -> Findings:
     """The finding of a list with fields after it, or of a record that differs in size, where a last list may be."""
     last = layer.fields[-1]
     is_packed = field.value is not None and field.value.packed_bits > 0

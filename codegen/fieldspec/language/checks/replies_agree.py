@@ -16,9 +16,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.checks.numbers import body, in_counts
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.texts import Example
@@ -26,7 +25,7 @@ from fieldspec.language.model.texts import Example
 _HELP = "correct one of the frames, or name the right example"
 
 
-def replies_agree(device: Device) -> Iterator[Diagnostic]:
+def replies_agree(device: Device) -> Findings:
     for reply in device.examples.values():
         request = device.examples.get(reply.reply_to)
         if request is None or request.direction != "request" or request.refused:

@@ -11,12 +11,10 @@ place does not print.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.checks.restatements import as_text, claimed_value, statements
-from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.diagnostics import Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Claim, Fact
 from fieldspec.language.model.sizes import RecordSizes
@@ -42,7 +40,7 @@ _STANDS_UNDER = {
 }
 
 
-def restatements_agree(device: Device) -> Iterator[Diagnostic]:
+def restatements_agree(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for fact in facts(device):
         if fact.restated:
@@ -51,7 +49,7 @@ def restatements_agree(device: Device) -> Iterator[Diagnostic]:
                 yield from _compare_claim(fact, own, claim)
 
 
-def _compare_claim(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diagnostic]:
+def _compare_claim(fact: Fact, own: dict[str, object], claim: Claim) -> Findings:
     for key, claimed in claim.values.items():
         if key in _NOT_HERE:
             continue

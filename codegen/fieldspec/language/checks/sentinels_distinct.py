@@ -13,18 +13,15 @@ describe the member of the enum.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.value import OUT_OF_RANGE, Sentinel, Value
 
 _HELP = "correct one of them, or remove the sentinel"
 
 
-def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
+def sentinels_distinct(device: Device) -> Findings:
     for fact, value in values(device):
         names: dict[str, str] = {}
         texts: dict[str, str] = {}

@@ -11,10 +11,8 @@ its `notes`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import fields
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field
@@ -23,7 +21,7 @@ from fieldspec.language.model.value import Signal
 _WAYS = {"request": "to the device", "response": "from the device"}
 
 
-def signals_placed(device: Device) -> Iterator[Diagnostic]:
+def signals_placed(device: Device) -> Findings:
     for message in device.messages.values():
         for direction, layer in (("request", message.request), ("response", message.response)):
             for field in layer.fields:
@@ -48,7 +46,7 @@ def _astray(field: Field, signal: Signal, holder: str) -> Diagnostic:
     return finding(field.place, "signal", text, "correct the direction or the message", related_label)
 
 
-def _named(field: Field, signal: Signal) -> Iterator[Diagnostic]:
+def _named(field: Field, signal: Signal) -> Findings:
     mine, theirs = ("".join(name.split()).casefold() for name in (field.printed_name, signal.printed_name))
     if mine and theirs and mine != theirs:
         text = f"{field.name} is printed as `{field.printed_name}`, its signal as `{signal.printed_name}`"

@@ -17,7 +17,7 @@ from collections.abc import Iterator, Mapping
 
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import enumeration, finding, is_imported
+from fieldspec.language.checks.finding import Findings, enumeration, finding, is_imported
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device, Manual
 from fieldspec.language.model.enums import Bit, Member, State
@@ -31,7 +31,7 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 """These take the source of what holds them, where a finding says it once; a group need not have one."""
 
 
-def sources_present(device: Device) -> Iterator[Diagnostic]:
+def sources_present(device: Device) -> Findings:
     manual = device.manual
     is_cited, extent = bool(manual.mark or manual.url), manual.lines or manual.pages
     imported: dict[str, list[str]] = {}
@@ -69,7 +69,7 @@ def _of_protocols(device: Device, imported: Mapping[str, list[str]]) -> Diagnost
     return finding(device.place, "id", text, help)
 
 
-def _without_section(device: Device, cited: list[tuple[str, Place]]) -> Iterator[Diagnostic]:
+def _without_section(device: Device, cited: list[tuple[str, Place]]) -> Findings:
     """The findings of sources that name no section: one for each group, or other fact, with all that it encloses."""
     groups = {fact.place.path: group for group in device.groups for fact in (*group.registers, group)}
     enclosed: dict[str, list[tuple[str, Place]]] = {}

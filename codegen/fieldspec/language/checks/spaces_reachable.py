@@ -17,8 +17,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, is_imported, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, is_imported, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
@@ -26,7 +26,7 @@ from fieldspec.language.model.registers import Table
 from fieldspec.language.model.table_records import table_records
 
 
-def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
+def spaces_reachable(device: Device) -> Findings:
     yield from _read_only(device)
     if not device.spaces:
         return
@@ -49,7 +49,7 @@ def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
                 yield finding(fact.place, "space", text, help, label(space.place, "name", "the space"))
 
 
-def _read_only(device: Device) -> Iterator[Diagnostic]:
+def _read_only(device: Device) -> Findings:
     """Warnings of the messages that write spaces in which everything is read only."""
     present: dict[str, set[str]] = {}
     for _, name, accesses in _holders(device):

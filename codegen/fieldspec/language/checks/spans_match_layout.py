@@ -15,7 +15,7 @@ import re
 from collections.abc import Iterator
 
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Place
@@ -30,7 +30,7 @@ _MOST_ENDS = 65536
 _Span = tuple[int, int]
 
 
-def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
+def spans_match_layout(device: Device) -> Findings:
     sizes = RecordSizes(device)
     starts = _starts(device, sizes)
     for layer in layers(device):
@@ -49,7 +49,7 @@ def _has_no_end(field: Field) -> bool:
     return field.value is not None and field.value.width > 0
 
 
-def _without_place(layer: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
+def _without_place(layer: Record, sizes: RecordSizes) -> Findings:
     """The findings of the fields of a record that have no place in all data, but a printed one."""
     placed = [field for field, _ in sizes.offsets(layer)]
     if not placed or placed[-1].record in sizes.endless:

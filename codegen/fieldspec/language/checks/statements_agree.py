@@ -11,15 +11,12 @@ Fix: State the correct fact in both places, and write an erratum for the place t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import Statement
 
 
-def statements_agree(device: Device) -> Iterator[Diagnostic]:
+def statements_agree(device: Device) -> Findings:
     first: dict[str, Statement] = {}
     for note in device.notes:
         for statement in note.statements:

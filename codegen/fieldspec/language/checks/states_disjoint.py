@@ -11,11 +11,9 @@ Fix: Add the bits that distinguish the states, and write an erratum if they are 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import combinations
 
-from fieldspec.language.checks.finding import enumeration, finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Flags
 
@@ -23,12 +21,12 @@ _MOST = 64
 """How many states of one word are compared with each other."""
 
 
-def states_disjoint(device: Device) -> Iterator[Diagnostic]:
+def states_disjoint(device: Device) -> Findings:
     for word in device.flags.values():
         yield from _of_word(word)
 
 
-def _of_word(word: Flags) -> Iterator[Diagnostic]:
+def _of_word(word: Flags) -> Findings:
     for state in word.states:
         contradictory = [name for name in state.set if name in state.clear]
         if contradictory or not (state.set or state.clear):

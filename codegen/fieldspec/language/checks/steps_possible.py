@@ -14,8 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import enumeration, finding, near
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding, near
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import ScalarValue
@@ -28,7 +27,7 @@ _ON_BITS = ("set", "clear", "pulse")
 _TAKE = {"write": "writes", "wait": "waits for"}
 
 
-def steps_possible(device: Device) -> Iterator[Diagnostic]:
+def steps_possible(device: Device) -> Findings:
     if not device.tasks:
         return
     operands = Operands(device)
@@ -50,7 +49,7 @@ def steps_possible(device: Device) -> Iterator[Diagnostic]:
                 yield finding(step.place, "timeout", text, "name a limit of the kind `timing` by its path")
 
 
-def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Iterator[Diagnostic]:
+def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Findings:
     yield from _value_present(step)
     known = {message for message in task.messages if message in device.messages}
     for message in sorted(known) or [""]:
@@ -67,7 +66,7 @@ def _of_step(device: Device, operands: Operands, task: Task, step: Step) -> Iter
         yield from _on(device, step, targets[0])
 
 
-def _value_present(step: Step) -> Iterator[Diagnostic]:
+def _value_present(step: Step) -> Findings:
     """Findings of a value that the action of a step needs or does not take."""
     takes = step.action in _TAKE
     stated = step.value is not None or bool(step.wanted)
@@ -92,14 +91,14 @@ def _value_present(step: Step) -> Iterator[Diagnostic]:
         yield finding(step.place, key, f"`{step.action}` does not take `{key}`", "only `send` takes it")
 
 
-def _keys_of_kind(task: Task) -> Iterator[Diagnostic]:
+def _keys_of_kind(task: Task) -> Findings:
     """Findings of keys that tasks of other kinds have."""
     for key, kind, used in (("halt", "stop", task.halt), ("direction", "jog", bool(task.direction))):
         if used and task.kind != kind:
             yield finding(task.place, key, f"`{key}` is for tasks of the kind `{kind}`", "remove it")
 
 
-def _bits_of_arguments(task: Task) -> Iterator[Diagnostic]:
+def _bits_of_arguments(task: Task) -> Findings:
     """Findings of an argument whose bits are written one by one: from 0 on, and no other step uses the argument."""
     for argument in task.arguments():
         steps = task.bits_of(argument)
@@ -113,7 +112,7 @@ def _bits_of_arguments(task: Task) -> Iterator[Diagnostic]:
             yield finding(steps[0].place, "argument_bit", text, "give the number of the bits another name")
 
 
-def _compared(operands: Operands, task: Task, index: int) -> Iterator[Diagnostic]:
+def _compared(operands: Operands, task: Task, index: int) -> Findings:
     """Findings of a wait for an argument: an earlier step writes it, and both count alike."""
     step = task.steps[index]
     before = [
@@ -154,7 +153,7 @@ def _same_count(first: Value, second: Value) -> bool:
     return (first.scale, first.offset, first.unit) == (second.scale, second.offset, second.unit)
 
 
-def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
+def _on(device: Device, step: Step, operand: Operand) -> Findings:
     place = step.place
     if (step.action == "send") != isinstance(operand.fact, Message):
         text = f"{operand.path} is {'a' if step.action != 'send' else 'not a'} message"
@@ -179,7 +178,7 @@ def _on(device: Device, step: Step, operand: Operand) -> Iterator[Diagnostic]:
                 yield from _valued(device, step, operand, value)
 
 
-def _on_bit(step: Step, operand: Operand) -> Iterator[Diagnostic]:
+def _on_bit(step: Step, operand: Operand) -> Findings:
     bit = operand.bit
     if bit is None or bit.width != 1:
         text = f"{operand.path} is not a bit"
@@ -189,7 +188,7 @@ def _on_bit(step: Step, operand: Operand) -> Iterator[Diagnostic]:
         yield finding(step.place, step.action, text, "use `pulse` for a rising edge, and `set` for a level")
 
 
-def _valued(device: Device, step: Step, operand: Operand, value: ScalarValue) -> Iterator[Diagnostic]:
+def _valued(device: Device, step: Step, operand: Operand, value: ScalarValue) -> Findings:
     wrong = _refused(device, operand, value)
     if wrong:
         text = f"{operand.path} cannot be {value_text(value)}: {wrong}"
@@ -218,7 +217,7 @@ def _refused(device: Device, operand: Operand, value: object) -> str:
     return "" if ranges is None or value in ranges else f"its range is {ranges.text()}"
 
 
-def _check_request(device: Device, step: Step, message: Message) -> Iterator[Diagnostic]:
+def _check_request(device: Device, step: Step, message: Message) -> Findings:
     fields = {field.name: field for field in message.request.fields}
     for key, names in (("values", step.values), ("arguments", step.arguments)):
         for name in names:

@@ -11,23 +11,20 @@ only some elements, set `allow: {subindices_match_elements: <reason>}`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import enumeration, finding, interval, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding, interval, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.ranges import merged, uncovered
 from fieldspec.language.model.registers import Parameter
 
 
-def subindices_match_elements(device: Device) -> Iterator[Diagnostic]:
+def subindices_match_elements(device: Device) -> Findings:
     for parameter_set in device.parameters.values():
         for parameter in parameter_set.parameters:
             if parameter.subindices:
                 yield from _of_parameter(parameter)
 
 
-def _of_parameter(parameter: Parameter) -> Iterator[Diagnostic]:
+def _of_parameter(parameter: Parameter) -> Findings:
     last = (parameter.elements or 1) - 1
     count = label(parameter.place, "elements", f"it has the elements 0 to {last}" if last else "it has one element")
     described: list[tuple[int, int]] = []

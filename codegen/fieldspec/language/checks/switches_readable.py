@@ -11,16 +11,13 @@ print the returned number, state that under `allow`, and write an erratum with `
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 
 _SWITCH = [0, 1]
 
 
-def switches_readable(device: Device) -> Iterator[Diagnostic]:
+def switches_readable(device: Device) -> Findings:
     for register in device.registers():
         enum = device.enums.get(register.value.enum)
         if register.access != "rw" or register.trigger or enum is None or not enum.open:

@@ -10,15 +10,12 @@ Fix: Use a `range` with only that value and a `default`: both apply only to writ
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import nested_fields
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 
 
-def table_fields_readable(device: Device) -> Iterator[Diagnostic]:
+def table_fields_readable(device: Device) -> Findings:
     done: set[int] = set()
     for table in device.tables.values():
         record = device.records.get(table.record)

@@ -12,12 +12,10 @@ the length.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.diagnostics import Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_text
 from fieldspec.language.model.fact import Fact
@@ -25,7 +23,7 @@ from fieldspec.language.model.text_form import text_fault
 from fieldspec.language.model.value import Value
 
 
-def text_fits_words(device: Device) -> Iterator[Diagnostic]:
+def text_fits_words(device: Device) -> Findings:
     for fact, value in values(device):
         if value.characters is not None and not is_text(value.encoding):
             text = f"{fact.name} is {value.type.name}, which has no characters"

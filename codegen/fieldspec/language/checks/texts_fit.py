@@ -12,12 +12,9 @@ Fix: Correct the length, or remove the key.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import finding
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.checks.settled import of_values
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_text
 from fieldspec.language.model.fact import Fact
@@ -28,11 +25,11 @@ from fieldspec.language.model.value import Value
 _KEYS = ("encoding", "padding", "align", "terminator")
 
 
-def texts_fit(device: Device) -> Iterator[Diagnostic]:
+def texts_fit(device: Device) -> Findings:
     yield from of_values(device, _of_value)
 
 
-def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(fact: Fact, value: Value) -> Findings:
     keys = [key for key in _KEYS if key in fact.place and not (key == "padding" and value.digits)]
     if not is_text(value.encoding):
         for key in keys:
@@ -42,7 +39,7 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield from _of_form(fact, value, next(iter(keys), "byte_order"))
 
 
-def _of_form(fact: Fact, value: Value, key: str) -> Iterator[Diagnostic]:
+def _of_form(fact: Fact, value: Value, key: str) -> Findings:
     """The findings of the form of a text, the first one of each value."""
     form = value.text_form
     assert form is not None

@@ -11,18 +11,15 @@ Fix: Use the type `bit` there, without `words`. Elsewhere, use `bool8`, `bool16`
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.address_space import BIT, WORD
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Register
 
 
-def types_fit_space(device: Device) -> Iterator[Diagnostic]:
+def types_fit_space(device: Device) -> Findings:
     for register in device.registers():
         space = device.space(register.space)
         if space.unit == WORD:

@@ -14,11 +14,10 @@ have under `units`, with its quantity and its factor. Correct the code, or remov
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding, label, near
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, near
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact, Place
 from fieldspec.language.model.ucum import is_code
@@ -79,7 +78,7 @@ _LOOKALIKES = str.maketrans(
 """Characters that look like unit symbols: the ordinal indicator and the ring above like the sign of degrees."""
 
 
-def units_known(device: Device) -> Iterator[Diagnostic]:
+def units_known(device: Device) -> Findings:
     declared: dict[str, Place] = {}
     for own in device.units.values():
         symbol = own.symbol

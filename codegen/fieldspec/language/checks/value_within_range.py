@@ -11,18 +11,15 @@ under `sentinels`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.checks.numbers import Legal, numbers
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 
 _HELP = "correct one of them, or list the value under `sentinels`"
 
 
-def value_within_range(device: Device) -> Iterator[Diagnostic]:
+def value_within_range(device: Device) -> Findings:
     legal = Legal(device)
     for fact, value in values(device):
         reason = legal.objection(value, value.const, writes=True) if value.const is not None else ""

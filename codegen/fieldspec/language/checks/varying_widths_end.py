@@ -18,11 +18,9 @@ type: u8, measures: {bytes: label}}`. Remove `varies` if the manual prints a fix
 from __future__ import annotations
 
 import string
-from collections.abc import Iterator
 
 from fieldspec.language.checks.facts import layers, values
-from fieldspec.language.checks.finding import finding, label, range_key
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_letters, has_sign
 from fieldspec.language.model.encoding import is_array, is_signed, is_text
@@ -34,7 +32,7 @@ from fieldspec.language.model.text_form import PACKED_ASCII, UTF_16
 from fieldspec.language.model.value import Value
 
 
-def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
+def varying_widths_end(device: Device) -> Findings:
     messages = {id(field) for message in device.messages.values() for body in _bodies(message) for field in body.fields}
     sizes = RecordSizes(device)
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
@@ -120,7 +118,7 @@ def _place(fact: Fact, is_in_message: bool) -> str:
     return "is reserved, and has the same width everywhere" if fact.reserved else ""
 
 
-def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Iterator[Diagnostic]:
+def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Findings:
     """The findings of the fields around those that vary in width."""
     varying = [field for field in body.fields if field.value is not None and field.value.width]
     if not varying:
@@ -155,7 +153,7 @@ def _beside(sizes: RecordSizes, field: Field) -> tuple[str, str]:
     return ("measures", "a number of bytes in its bits") if field.bit_measure is not None else ("", "")
 
 
-def _of_record(record: Record) -> Iterator[Diagnostic]:
+def _of_record(record: Record) -> Findings:
     """The findings of a record whose texts are counted; none for others."""
     texts = [field for field in record.fields if field.value is not None and field.value.width]
     for text in texts:
@@ -164,7 +162,7 @@ def _of_record(record: Record) -> Iterator[Diagnostic]:
                 yield from _of_count(record, field, text)
 
 
-def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
+def _of_count(body: Record, field: Field, text: Field) -> Findings:
     """The finding of a field that measures a value that varies in width, unless it may count the bytes of that text."""
     count, value, measure = text_count(body, text), field.value, field.measures
     assert measure is not None
@@ -186,7 +184,7 @@ def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
         yield finding(field.place, range_key(field.place), message, help, related_label)
 
 
-def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
+def _end(body: Record, field: Field) -> Findings:
     """The finding of a value without a visible end."""
     index = body.fields.index(field)
     if index + 1 == len(body.fields) or text_count(body, field) is not None:

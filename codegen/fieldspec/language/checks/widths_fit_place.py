@@ -10,18 +10,15 @@ digits, two in each word.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_odd
 from fieldspec.language.model.registers import Register
 
 
-def widths_fit_place(device: Device) -> Iterator[Diagnostic]:
+def widths_fit_place(device: Device) -> Findings:
     for fact, value in values(device):
         type_name = value.type.name
         if isinstance(fact, Register) and value.digits and value.size % 2:

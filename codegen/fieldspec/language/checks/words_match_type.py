@@ -10,18 +10,15 @@ Fix: Correct the type, the length or the words, and write an erratum if the manu
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.sizes import RecordSizes
 
 
-def words_match_type(device: Device) -> Iterator[Diagnostic]:
+def words_match_type(device: Device) -> Findings:
     for register in device.registers():
         if register.unit_size == 2:
             yield from _compare_words(register, register.words, 2 * register.width, register.value.type.name)
@@ -39,7 +36,7 @@ def words_match_type(device: Device) -> Iterator[Diagnostic]:
                 yield from _compare_words(field, field.words, bounds[0], type_name)
 
 
-def _compare_words(fact: Fact, words: int | None, size: int, type_name: str) -> Iterator[Diagnostic]:
+def _compare_words(fact: Fact, words: int | None, size: int, type_name: str) -> Findings:
     if words is not None and 2 * words != size:
         yield finding(
             fact.place,

@@ -13,11 +13,8 @@ message.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import cases, nested_fields, values
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
@@ -25,7 +22,7 @@ from fieldspec.language.model.record import Field
 from fieldspec.language.model.value import Value
 
 
-def write_range_applies(device: Device) -> Iterator[Diagnostic]:
+def write_range_applies(device: Device) -> Findings:
     for fact, value in values(device):
         if value.write_ranges is not None:
             yield from _of_value(fact, value)
@@ -39,7 +36,7 @@ def write_range_applies(device: Device) -> Iterator[Diagnostic]:
             yield from _in_frame(device, field)
 
 
-def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(fact: Fact, value: Value) -> Findings:
     if not is_count(value.encoding) or value.flags:
         text = f"{fact.name} is not a whole number, so `write_range` does not apply"
         yield finding(fact.place, "write_range", text, "remove it")
@@ -53,7 +50,7 @@ def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield finding(fact.place, "write_range", text, "correct one of them", related_label)
 
 
-def _in_frame(device: Device, outer: Field) -> Iterator[Diagnostic]:
+def _in_frame(device: Device, outer: Field) -> Findings:
     """The faults of a field of a message, or of the fields of its record."""
     for field in nested_fields(device, [outer]):
         values_here = [field.value] if field.value is not None else []
