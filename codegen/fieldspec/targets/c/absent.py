@@ -15,14 +15,7 @@ from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth,
 from fieldspec.language.model.value import Sentinel, Value
 from fieldspec.targets.c.conditions import among_test, refused_number
 from fieldspec.targets.c.declarations import Declaration, Define, Function, comment, escape_comment
-from fieldspec.targets.c.expressions import (
-    VALUE,
-    Expression,
-    Group,
-    Type,
-    all_of,
-    any_of,
-)
+from fieldspec.targets.c.expressions import VALUE, Expression, Group, Type, all_of, any_of
 from fieldspec.targets.c.literals import FALSE, hexadecimal
 from fieldspec.targets.c.machine import literal, macro_literal, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming, Noun

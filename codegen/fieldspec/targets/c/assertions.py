@@ -8,15 +8,7 @@ from typing import Any
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Octets, Real, Text, Truth, Whole, real_bits
-from fieldspec.targets.c.expressions import (
-    Call,
-    Expression,
-    Identifier,
-    Literal,
-    SizeOf,
-    Unary,
-    all_of,
-)
+from fieldspec.targets.c.expressions import Call, Expression, Identifier, Literal, SizeOf, Unary, all_of
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.literals import FALSE, TRUE, byte_string, decimal, hexadecimal, integer, string, unsigned
 from fieldspec.targets.c.machine import of_bits, to_bits

@@ -31,14 +31,7 @@ from fieldspec.language.model.encoding import (
     number_of,
 )
 from fieldspec.language.model.value import Value
-from fieldspec.targets.c.expressions import (
-    Call,
-    Expression,
-    Group,
-    Operation,
-    all_of,
-    any_of,
-)
+from fieldspec.targets.c.expressions import Call, Expression, Group, Operation, all_of, any_of
 from fieldspec.targets.c.flags import joined_bits
 from fieldspec.targets.c.literals import INT64, TRUE, UINT64, hexadecimal, real, unsigned
 from fieldspec.targets.c.machine import literal, machine, machine_whole

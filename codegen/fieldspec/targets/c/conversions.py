@@ -8,15 +8,7 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Encoding, bounds_of
 from fieldspec.language.model.value import Conversion
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment, describe_fact
-from fieldspec.targets.c.expressions import (
-    Expression,
-    Group,
-    Identifier,
-    Operation,
-    Type,
-    all_of,
-    any_of,
-)
+from fieldspec.targets.c.expressions import Expression, Group, Identifier, Operation, Type, all_of, any_of
 from fieldspec.targets.c.literals import double, whole_double
 from fieldspec.targets.c.machine import literal, machine
 from fieldspec.targets.c.naming import Naming

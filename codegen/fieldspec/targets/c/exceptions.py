@@ -7,16 +7,7 @@ from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.targets.c.conditions import out_of_range_test
-from fieldspec.targets.c.expressions import (
-    IN,
-    LENGTH,
-    OUT,
-    Expression,
-    Group,
-    Identifier,
-    Unary,
-    all_of,
-)
+from fieldspec.targets.c.expressions import IN, LENGTH, OUT, Expression, Group, Identifier, Unary, all_of
 from fieldspec.targets.c.literals import ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming, argument, frame_member
 from fieldspec.targets.c.parts import code_type

@@ -6,16 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.targets.c.declarations import Comment, Union, describe_fact, describe_value
-from fieldspec.targets.c.expressions import (
-    IN,
-    INDEX,
-    SIZE_TYPE,
-    Expression,
-    Group,
-    Local,
-    Operation,
-    Type,
-)
+from fieldspec.targets.c.expressions import IN, INDEX, SIZE_TYPE, Expression, Group, Local, Operation, Type
 from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, member

@@ -19,15 +19,7 @@ from fieldspec.targets.c.declarations import (
     describe_fact,
     escape_comment,
 )
-from fieldspec.targets.c.expressions import (
-    VALUE,
-    Expression,
-    Group,
-    Identifier,
-    Operation,
-    Type,
-    Unary,
-)
+from fieldspec.targets.c.expressions import VALUE, Expression, Group, Identifier, Operation, Type, Unary
 from fieldspec.targets.c.literals import ZERO, decimal, hexadecimal, integer, unsigned
 from fieldspec.targets.c.machine import machine, machine_bits
 from fieldspec.targets.c.naming import Naming

@@ -9,17 +9,7 @@ from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment
 from fieldspec.targets.c.exceptions import check_mark
-from fieldspec.targets.c.expressions import (
-    CAPACITY,
-    IN,
-    LENGTH,
-    OUT,
-    SIZE_TYPE,
-    Call,
-    Expression,
-    Identifier,
-    Type,
-)
+from fieldspec.targets.c.expressions import CAPACITY, IN, LENGTH, OUT, SIZE_TYPE, Call, Expression, Identifier, Type
 from fieldspec.targets.c.fields import members, return_error
 from fieldspec.targets.c.frames import DIRECTIONS, OUTPUT_PARAMETERS, header_parameters
 from fieldspec.targets.c.literals import ZERO, decimal, unsigned

@@ -5,15 +5,7 @@ from __future__ import annotations
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.language.model.device import Device
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment
-from fieldspec.targets.c.expressions import (
-    IN,
-    INPUT_BYTES,
-    OUT,
-    OUTPUT_BYTES,
-    Call,
-    Expression,
-    Type,
-)
+from fieldspec.targets.c.expressions import IN, INPUT_BYTES, OUT, OUTPUT_BYTES, Call, Expression, Type
 from fieldspec.targets.c.fields import (
     function_locals,
     is_set_by_user,

@@ -10,17 +10,7 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, number_of
 from fieldspec.targets.c.digits import digits_test
-from fieldspec.targets.c.expressions import (
-    IN,
-    LENGTH,
-    OUT,
-    Expression,
-    Group,
-    Identifier,
-    Type,
-    all_of,
-    any_of,
-)
+from fieldspec.targets.c.expressions import IN, LENGTH, OUT, Expression, Group, Identifier, Type, all_of, any_of
 from fieldspec.targets.c.literals import UINT64, ZERO, decimal, integer, unsigned
 from fieldspec.targets.c.machine import machine_whole
 from fieldspec.targets.c.naming import Naming, argument

@@ -19,13 +19,7 @@ from fieldspec.targets.c.expressions import (
     Identifier,
     any_of,
 )
-from fieldspec.targets.c.fields import (
-    count_member,
-    decoded_selector,
-    encoded_selector,
-    measured_size,
-    walk_elements,
-)
+from fieldspec.targets.c.fields import count_member, decoded_selector, encoded_selector, measured_size, walk_elements
 from fieldspec.targets.c.literals import ZERO, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Assignment, Body, Return, Variable

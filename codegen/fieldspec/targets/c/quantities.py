@@ -15,15 +15,7 @@ from fieldspec.targets.c.absent import AbsentValue, absent_values
 from fieldspec.targets.c.conditions import among_test, out_of_range_test
 from fieldspec.targets.c.conversions import COUNT, RAW, count_of_share
 from fieldspec.targets.c.declarations import BLANK, Comment, Declaration, Function, comment
-from fieldspec.targets.c.expressions import (
-    Call,
-    Expression,
-    Group,
-    Identifier,
-    Type,
-    all_of,
-    any_of,
-)
+from fieldspec.targets.c.expressions import Call, Expression, Group, Identifier, Type, all_of, any_of
 from fieldspec.targets.c.literals import whole_double
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, Noun

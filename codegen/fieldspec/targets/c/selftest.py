@@ -22,14 +22,7 @@ from fieldspec.targets.c.assertions import (
 )
 from fieldspec.targets.c.declarations import Function, escape_comment
 from fieldspec.targets.c.enums import code_tables
-from fieldspec.targets.c.expressions import (
-    SIZE_TYPE,
-    Call,
-    Expression,
-    Identifier,
-    SizeOf,
-    Type,
-)
+from fieldspec.targets.c.expressions import SIZE_TYPE, Call, Expression, Identifier, SizeOf, Type
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.literals import ZERO, byte_initializer, decimal
 from fieldspec.targets.c.machine import literal

@@ -23,14 +23,7 @@ from fieldspec.targets.c.assertions import (
     set_members,
 )
 from fieldspec.targets.c.delimiters import is_wrapped
-from fieldspec.targets.c.expressions import (
-    SIZE_TYPE,
-    Call,
-    Expression,
-    Identifier,
-    SizeOf,
-    Type,
-)
+from fieldspec.targets.c.expressions import SIZE_TYPE, Call, Expression, Identifier, SizeOf, Type
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parts
 from fieldspec.targets.c.literals import FALSE, TRUE, ZERO, byte_initializer, decimal, unsigned

@@ -15,14 +15,7 @@ from fieldspec.language.model.value import Conversion, Value
 from fieldspec.targets.c.assertions import expect, expect_bytes, expect_equal
 from fieldspec.targets.c.conversions import count_bounds, count_type
 from fieldspec.targets.c.enums import available_members, code_tables, enum_type
-from fieldspec.targets.c.expressions import (
-    Call,
-    Expression,
-    Identifier,
-    Type,
-    Unary,
-    all_of,
-)
+from fieldspec.targets.c.expressions import Call, Expression, Identifier, Type, Unary, all_of
 from fieldspec.targets.c.flags import named_bits, number_of_bit
 from fieldspec.targets.c.literals import (
     FALSE,

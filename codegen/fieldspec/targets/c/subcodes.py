@@ -9,18 +9,7 @@ from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.subcodes import Subcode
 from fieldspec.targets.c.declarations import Function
-from fieldspec.targets.c.expressions import (
-    IN,
-    LENGTH,
-    OUT,
-    Call,
-    Expression,
-    Group,
-    Identifier,
-    Type,
-    all_of,
-    any_of,
-)
+from fieldspec.targets.c.expressions import IN, LENGTH, OUT, Call, Expression, Group, Identifier, Type, all_of, any_of
 from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.number_access import access_name

@@ -37,16 +37,7 @@ from fieldspec.targets.c.conditions import refused_number
 from fieldspec.targets.c.digits import digits_call, digits_test, load_digits, to_nibbles
 from fieldspec.targets.c.encoded_texts import load_text, store_text, text_bytes_test, text_capacity, text_test
 from fieldspec.targets.c.enums import enum_type
-from fieldspec.targets.c.expressions import (
-    IN,
-    OUT,
-    VALUE,
-    Call,
-    Expression,
-    Identifier,
-    Literal,
-    Type,
-)
+from fieldspec.targets.c.expressions import IN, OUT, VALUE, Call, Expression, Identifier, Literal, Type
 from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.machine import fixed_bits, literal, machine, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
