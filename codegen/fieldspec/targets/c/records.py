@@ -5,7 +5,6 @@ from __future__ import annotations
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import bounds_of
-from fieldspec.targets.c.bit_counts import check_bit_count
 from fieldspec.targets.c.declarations import BLANK, Comment, Declaration, Define, Function, Struct, comment
 from fieldspec.targets.c.expressions import (
     CAPACITY,
@@ -42,7 +41,7 @@ from fieldspec.targets.c.fields import (
 )
 from fieldspec.targets.c.inner_lists import decided_sizes, decode_inner_lists, encode_inner_lists
 from fieldspec.targets.c.literals import ZERO, unsigned
-from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.packing import check_measures, check_members, check_unpacked, declare_packing, is_packed
 from fieldspec.targets.c.presences import check_presences, counts_in_image, following, present_sizes
 from fieldspec.targets.c.statements import (
@@ -361,3 +360,20 @@ def _read_record(naming: Naming, device: Device, record: RecordLayout, value: Ex
 def _sent_size(naming: Naming, record: RecordLayout, source: Expression) -> Expression:
     """`tag_sent_size(in + 3, 8u)`: the size of a record that tells it; it has been judged."""
     return Call(naming.function("record", record.name, "sent_size"), (source, unsigned(record.most or 0)))
+
+
+def check_bit_count(naming: Naming, record: RecordLayout, struct: Expression) -> Body:
+    """Refuses a number of bits that takes another number of bytes than there are.
+
+    `if (in->count / 8u + (in->count % 8u + 7u) / 8u != in->bits_count) { return ERR_WRONG_MEASURE; }`
+    """
+    body: Body = ()
+    for field in record.fields:
+        packed = record.named(field.bits_of) if field.bits_of else None
+        if packed is not None:
+            number = struct.arrow(member(field.name))
+            rest = Group((number % unsigned(8)) + unsigned(7))
+            size = (number / unsigned(8)) + (rest / unsigned(8))
+            actual_size = struct.arrow(count_member(record, packed))
+            body = (*body, *refuse(naming, size.differs(actual_size), "err_wrong_measure"))
+    return body
