@@ -13,7 +13,7 @@ import time
 from collections import Counter
 from dataclasses import replace
 
-from fieldspec.language.changes import changes
+from fieldspec.language.changes.table import changes
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register
 from fieldspec.language.reading.project import read

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from fieldspec.language.changes import changes
+from fieldspec.language.changes.table import changes
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.project import read
 

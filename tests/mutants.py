@@ -19,7 +19,7 @@ from typing import Any
 
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
 from fieldspec.codec.reference import CodecError, codec
-from fieldspec.language.changes import changes
+from fieldspec.language.changes.table import changes
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.device_spec import DeviceSpec

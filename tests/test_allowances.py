@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fieldspec.language import checks
+from fieldspec.language.checks import table as checks
 from fieldspec.language.reading.project import read
 
 SPEC = """

@@ -16,9 +16,9 @@ import pytest
 from fieldspec.command import rules
 from fieldspec.command.rendering.changes import places
 from fieldspec.foundation.line_text import visible_text
-from fieldspec.language.changes import RULES, changes
 from fieldspec.language.changes import rules as functions_of_rules
 from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.changes.table import RULES, changes
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.project import read
 

@@ -23,7 +23,7 @@ import pytest
 
 import fieldspec.language.model
 from fieldspec.foundation.source import SourceFile, Span
-from fieldspec.language.changes import changes
+from fieldspec.language.changes.table import changes
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Citation, Claim, Place, Report, Standard
 from fieldspec.language.model.link import Part

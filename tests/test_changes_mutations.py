@@ -11,8 +11,8 @@ import pytest
 
 from fieldspec.codec.layout.device import device_layout
 from fieldspec.command.rendering.changes import AcceptedChange, Difference, hurts
-from fieldspec.language.changes import changes
 from fieldspec.language.changes.change import Change, Effect
+from fieldspec.language.changes.table import changes
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.building.device import built
 from fieldspec.language.reading.nodes import Mapping, Scalar

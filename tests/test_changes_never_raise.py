@@ -6,8 +6,8 @@ import random
 
 import pytest
 
-from fieldspec.language.changes import changes
 from fieldspec.language.changes.acceptances import ComparedVersions, accepts_used, judged_changes
+from fieldspec.language.changes.table import changes
 from fieldspec.language.reading.building.device import built
 from fieldspec.language.reading.nodes import Mapping, Node
 from fieldspec.language.reading.scalars import violations_at

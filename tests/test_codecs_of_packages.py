@@ -18,7 +18,7 @@ from fieldspec.command.packages.codec_loading import judged_codec
 from fieldspec.command.packages.plugins import CODECS, Plugin
 from fieldspec.foundation.classes import replace
 from fieldspec.foundation.source import SourceFile
-from fieldspec.language.changes import changes
+from fieldspec.language.changes.table import changes
 from fieldspec.language.model.codecs import ChecksumCodec, InstalledCodec, NumberCodec, provide
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.project import read

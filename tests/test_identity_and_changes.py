@@ -19,8 +19,8 @@ import pytest
 import yaml
 
 from fieldspec.codec.layout.device import device_layout
-from fieldspec.language.changes import changes
 from fieldspec.language.changes.change import Effect
+from fieldspec.language.changes.table import changes
 from fieldspec.language.diagnostics import has_errors
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.project import read

@@ -10,14 +10,17 @@ from pathlib import Path
 
 from compiler_modules import PACKAGE, nodes
 from fieldspec.command import rules
-from fieldspec.language import checks
+from fieldspec.language.checks import table as checks
 
+CHECKS = dict(checks.CHECKS)
 PAGE = Path(__file__).parent.parent / "docs" / "checks.md"
-GIVE_FINDINGS = ("because", "Diagnostic", "finding", "refuse", "_refuse")
+GIVE_FINDINGS = ("because", "Diagnostic", "finding", "finding_of", "refuse", "_refuse")
 
 
 def codes(path: Path) -> Iterator[str]:
-    """The codes of the findings of a module: the texts that reach the first argument of a call in `GIVE_FINDINGS`."""
+    """The codes of the findings of a module: for a check its own name, for other modules the texts that reach the first
+    argument of a call in `GIVE_FINDINGS`.
+    """
     assigned: dict[str, list[ast.expr]] = {}
     for node in nodes(path):
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
@@ -25,7 +28,7 @@ def codes(path: Path) -> Iterator[str]:
     others = {node.name for node in nodes(path) if isinstance(node, ast.FunctionDef) and not takes_code(node)}
     for node in nodes(path):
         if isinstance(node, ast.Call) and node.args and called(node) in GIVE_FINDINGS and not is_other(node, others):
-            yield from texts(node.args[0], assigned)
+            yield from [path.stem] if path.stem in CHECKS else texts(node.args[0], assigned)
 
 
 def is_other(node: ast.Call, others: set[str]) -> bool:
@@ -64,8 +67,8 @@ def texts(node: ast.expr, assigned: dict[str, list[ast.expr]], depth: int = 3) -
 
 @cache
 def codes_by_name() -> dict[str, str]:
-    """The codes of all modules of the compiler, with the name of a module that has it."""
-    return {code: path.name for path in sorted(PACKAGE.rglob("*.py")) for code in codes(path)}
+    """The codes of all modules of the compiler, with the name of a module that has it; `finding` leaves it empty."""
+    return {code: path.name for path in sorted(PACKAGE.rglob("*.py")) for code in codes(path) if code}
 
 
 def test_every_code_in_the_compiler_has_a_rule() -> None:

@@ -7,7 +7,7 @@ from functools import cache
 import pytest
 
 from fieldspec.codec.layout.device import device_layout
-from fieldspec.language import checks
+from fieldspec.language.checks import table as checks
 from fieldspec.language.model.device import Device
 from fieldspec.language.reading.project import Project, read
 from layouts import SPECS

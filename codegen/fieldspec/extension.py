@@ -17,7 +17,8 @@ from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout,
 from fieldspec.foundation.names import Name, stem
 from fieldspec.foundation.source import Span
 from fieldspec.foundation.spreadsheet import Cell, Workbook, Worksheet, csv_text
-from fieldspec.language.checks.finding import Check, finding, label
+from fieldspec.language.checks.finding import Check, label
+from fieldspec.language.checks.finding import finding_of as finding
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic, Label, Severity
 from fieldspec.language.model.codecs import ChecksumCodec, NumberCodec
 from fieldspec.language.model.device import Device, Manual

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from command_line import SPECS, CommandLine
-from fieldspec.language import checks
 from fieldspec.language.checks import table
+from fieldspec.language.checks import table as checks
 from fieldspec.language.model.texts import JUDGEMENT
 from fieldspec.language.reading.device_spec import DeviceSpec
 from fieldspec.language.reading.project import read

@@ -10,24 +10,14 @@ from fieldspec.targets.c.expressions import (
     INDEX,
     OUT,
     Call,
-    Cast,
     Conditional,
-    Element,
     Expression,
     Identifier,
-    Operation,
-    PointerMember,
     SizeOf,
     Type,
     Unary,
-    add,
     all_of,
     any_of,
-    at_most,
-    equal,
-    multiply,
-    negate,
-    subtract,
 )
 from fieldspec.targets.c.fields import INNER_LENGTH
 from fieldspec.targets.c.literals import INT64, decimal, integer, string, unsigned
@@ -37,23 +27,23 @@ from fieldspec.targets.c.statements import CountUp, If, Return, Switch, assign, 
 A, B, C = (Identifier(name) for name in "abc")
 
 EXPRESSIONS: list[tuple[Expression, str]] = [
-    (negate(at_most(A, unsigned(12))), "!(a <= 12u)"),
-    (negate(A), "!a"),
-    (add(A, subtract(B, C)), "a + b - c"),
-    (subtract(A, subtract(B, C)), "a - (b - c)"),
-    (subtract(subtract(A, B), C), "a - b - c"),
-    (multiply(add(A, B), C), "(a + b) * c"),
-    (Operation("/", (A, multiply(B, C))), "a / (b * c)"),
-    (equal(Operation("&", (A, B)), C), "(a & b) == c"),
+    (A.at_most(unsigned(12)).negated(), "!(a <= 12u)"),
+    (A.negated(), "!a"),
+    (A + (B - C), "a + b - c"),
+    (A - (B - C), "a - (b - c)"),
+    ((A - B) - C, "a - b - c"),
+    ((A + B) * C, "(a + b) * c"),
+    (A / (B * C), "a / (b * c)"),
+    ((A & B).equals(C), "(a & b) == c"),
     (all_of([any_of([A, B]), C]), "(a || b) && c"),
     (any_of([A]), "a"),
-    (Cast("uint8_t", Operation(">>", (A, decimal(4)))), "(uint8_t)(a >> 4)"),
-    (Cast("uint8_t", Unary("~", A)), "(uint8_t)~a"),
-    (Cast("uint8_t", Conditional(A, B, C)), "(uint8_t)(a ? b : c)"),
-    (equal(A, Conditional(A, B, C)), "a == (a ? b : c)"),
+    ((A >> decimal(4)).cast("uint8_t"), "(uint8_t)(a >> 4)"),
+    (Unary("~", A).cast("uint8_t"), "(uint8_t)~a"),
+    (Conditional(A, B, C).cast("uint8_t"), "(uint8_t)(a ? b : c)"),
+    (A.equals(Conditional(A, B, C)), "a == (a ? b : c)"),
     (Conditional(any_of([A, B]), B, C), "a || b ? b : c"),
     (SizeOf(A), "sizeof a"),
-    (Element(PointerMember(IN, "list"), add(INDEX, unsigned(1))), "in->list[at + 1u]"),
+    (IN.arrow("list").element(INDEX + unsigned(1)), "in->list[at + 1u]"),
     (Call("f", (A, Call("g", ()))), "f(a, g())"),
     (integer(-1), "(-1)"),
     (integer(-(1 << 31)), "(-2147483647 - 1)"),
@@ -68,7 +58,7 @@ def test_an_expression_has_the_parentheses_that_it_needs(expression: Expression,
 
 
 def test_a_function_declares_the_variables_that_it_uses_in_their_order() -> None:
-    loop = CountUp(INDEX, unsigned(4), (assign(Element(OUT, INDEX), decimal(0)),))
+    loop = CountUp(INDEX, unsigned(4), (assign(OUT.element(INDEX), decimal(0)),))
     function = Function(Type("void"), "clear", (), (loop,), (INNER_LENGTH, INDEX))
     assert Printer().print_declarations([function]) == [
         "static inline void clear(void)",
@@ -111,6 +101,6 @@ def test_a_branch_without_labels_is_left_out() -> None:
 
 
 def test_a_tree_is_searched_for_a_node() -> None:
-    body = (If(equal(A, decimal(1)), (assign(B, Element(IN, decimal(0))),)),)
+    body = (If(A.equals(decimal(1)), (assign(B, IN.element(decimal(0))),)),)
     assert contains(body, IN)
     assert not contains(body, OUT)

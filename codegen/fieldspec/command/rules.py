@@ -8,10 +8,9 @@ from collections.abc import Iterator
 
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.behaviour.rules import RULES as OF_BEHAVIOURS
-from fieldspec.language.changes import RULES as OF_CHANGES
-from fieldspec.language.checks import CHECKS
+from fieldspec.language.changes.table import RULES as OF_CHANGES
 from fieldspec.language.checks.allowances_used import allowances_used
-from fieldspec.language.checks.table import INSTALLED
+from fieldspec.language.checks.table import CHECKS, INSTALLED
 from fieldspec.language.reading.rules import RULES as OF_READING
 from fieldspec.targets.controllers.rules import RULES as OF_CONTROLLERS
 from fieldspec.targets.rules import RULES as OF_OUTPUTS

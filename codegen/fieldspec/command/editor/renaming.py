@@ -10,8 +10,8 @@ from fieldspec.command.editor.index import NamedFact, meant
 from fieldspec.command.editor.projects import EditedProject
 from fieldspec.command.sources import spec_files
 from fieldspec.foundation.source import Span
-from fieldspec.language.changes import changes
 from fieldspec.language.changes.change import Effect
+from fieldspec.language.changes.table import changes
 from fieldspec.language.diagnostics import Diagnostic, Severity
 from fieldspec.language.reading.project import read
 

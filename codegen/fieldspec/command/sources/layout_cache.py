@@ -100,7 +100,7 @@ def _compiled(name: str, version: str, files: dict[str, bytes], key: str) -> tup
     from fieldspec.codec.layout.package_codecs import coded_facts
     from fieldspec.command.sources.layout_cache import to_json
     from fieldspec.command.sources.specs import layout_of, picked, sound
-    from fieldspec.language.checks import INSTALLED
+    from fieldspec.language.checks.table import INSTALLED
     from fieldspec.language.reading.project import read
 
     spec = sound(read(files, frozenset([name])), name, key)

@@ -145,7 +145,7 @@ def sound(project: Project, name: str, key: str = "") -> DeviceSpec:
     """
     from fieldspec.codec.layout.package_codecs import coded_facts
     from fieldspec.command.packages.plugin_loading import load_checks
-    from fieldspec.language.checks import INSTALLED
+    from fieldspec.language.checks.table import INSTALLED
     from fieldspec.tools.proofs.running import outcome
 
     spec = project.devices.get(name)

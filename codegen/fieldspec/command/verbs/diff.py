@@ -12,9 +12,9 @@ from fieldspec.command.console.usage import UsageError
 from fieldspec.command.rendering.changes import AcceptedChange, Difference, hurts
 from fieldspec.command.sources.spec_states import SpecState, spec_state
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.changes import RULES, changes
 from fieldspec.language.changes.acceptances import ComparedVersions, accepts_used, judged_changes, rules_known
 from fieldspec.language.changes.rules.facts import device_added, device_removed
+from fieldspec.language.changes.table import RULES, changes
 from fieldspec.language.diagnostics import Diagnostic, in_order
 from fieldspec.tools.proofs.running import previous
 

@@ -36,14 +36,13 @@ _ORDER = (Effect.WIRE, Effect.SOURCE, Effect.BEHAVIOUR, Effect.DOCS)
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """A difference that `rule` finds, with its gravest effect.
+    """A difference that `rule` finds, with its gravest effect. The table of rules adds the name of the rule.
 
     `what` is the kind of the fact, `path` its path in the new device, or in the old one if the new one lacks it. `old`
     and `new` are the two values as text, empty for none; `before` and `after` are their places, None where there is no
     such fact. `outputs` are those in which names or types change. `reason` is what the overlay of the version says.
     """
 
-    rule: str
     effect: Effect
     what: str
     path: str
@@ -53,6 +52,7 @@ class Change:
     before: Span | None
     after: Span | None
     outputs: tuple[str, ...] = ()
+    rule: str = ""
     reason: str = ""
 
     def order(self) -> tuple[int, str, str, str, str]:

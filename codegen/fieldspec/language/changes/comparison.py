@@ -1,4 +1,4 @@
-"""Pairs the objects of two versions of a device, and keeps the pairs that differ."""
+"""Pairs the objects of two versions of a device, and keeps the pairs that differ, with the offsets of their fields."""
 
 from __future__ import annotations
 
@@ -11,13 +11,12 @@ from typing import Any, Generic, TypeVar, cast
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.changes.attributes import CONTENTS, OWN_VALUES
 from fieldspec.language.changes.evidence import EVIDENCE, Surroundings
-from fieldspec.language.changes.sizes import field_offsets
 from fieldspec.language.model.attributes import MODEL_CLASSES
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Place
 from fieldspec.language.model.link import Part
 from fieldspec.language.model.record import Field
-from fieldspec.language.model.sizes import RecordSizes
+from fieldspec.language.model.sizes import RecordSizes, part_size
 from fieldspec.language.model.value import Value
 
 # Every list is paired by name in one pass, so the time grows with the size of the device and not faster.
@@ -351,3 +350,33 @@ def _proven(
     for key, item in old:
         if key in once_new and key in once_old:
             yield Pair(item, added_by_key[key], containers), evidence.describe(item, old_surroundings)
+
+
+@dataclass(frozen=True, slots=True)
+class FieldOffsets:
+    """The offsets of fields in bytes, in their order, and their size. `is_open` if the last one repeats to the end."""
+
+    offsets: tuple[int, ...]
+    size: int
+    is_open: bool
+
+
+def field_offsets(sizes: RecordSizes, fields: Sequence[Field | Part]) -> FieldOffsets:
+    """The offsets of the fields of a record or of a message, or of the parts of a frame."""
+    offsets = []
+    offset = 0
+    for field in fields:
+        offsets.append(offset)
+        offset += part_size(field) if isinstance(field, Part) else _field_size(sizes, field)
+    return FieldOffsets(tuple(offsets), offset, any(isinstance(f, Field) and f.repeat is not None for f in fields))
+
+
+def _field_size(sizes: RecordSizes, field: Field) -> int:
+    """The bytes of a field, the fewest where they vary; 0 where nothing decides them.
+
+    It is 0 as well for a choice and for a field that repeats: these are last in their run, and move no field of it.
+    """
+    if field.choice is not None or field.repeat is not None:
+        return 0
+    bounds = sizes.field(field)
+    return bounds[0] if bounds is not None else 0

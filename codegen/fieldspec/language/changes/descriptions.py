@@ -17,7 +17,6 @@ Rule: TypeAlias = Callable[[Comparison], Iterator[Change]]
 
 
 def change(
-    rule: str,
     effect: Effect,
     pair: Pair[Any] | ValuePair,
     key: str,
@@ -29,7 +28,6 @@ def change(
     """A change of the value that a key of a fact has. `message` follows the name of the fact."""
     own = pair.of if isinstance(pair, ValuePair) else pair
     return Change(
-        rule,
         effect,
         kind(own.new),
         path(own.new, own.containers[1]),
@@ -42,8 +40,22 @@ def change(
     )
 
 
+def difference(
+    effect: Effect,
+    pair: Pair[Any] | ValuePair,
+    key: str,
+    subject: str,
+    old: object,
+    new: object,
+    outputs: tuple[str, ...] = (),
+) -> Change:
+    """The change of a value, in the words of `difference_text`."""
+    own = pair.of if isinstance(pair, ValuePair) else pair
+    message = f"{named(own.new)}: {difference_text(subject, old, new)}"
+    return change(effect, pair, key, message, old, new, outputs)
+
+
 def changed(
-    rule: str,
     effect: Effect,
     pair: Pair[Any] | ValuePair,
     key: str,
@@ -52,11 +64,9 @@ def changed(
     new: object,
     outputs: tuple[str, ...] = (),
 ) -> Iterator[Change]:
-    """The change of a value that differs, in the words of `difference_text`."""
+    """The change of a value, if it differs."""
     if old != new:
-        own = pair.of if isinstance(pair, ValuePair) else pair
-        message = f"{named(own.new)}: {difference_text(subject, old, new)}"
-        yield change(rule, effect, pair, key, message, old, new, outputs)
+        yield difference(effect, pair, key, subject, old, new, outputs)
 
 
 def kind(item: Any) -> str:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.language.changes.change import Change
+from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.device import Device
 
 
@@ -48,9 +47,3 @@ def stated_reasons(old: Device, new: Device) -> Reasons:
 def _moved(path: str, old: str, new: str) -> str:
     """A path after the fact at `old`, which it may be in, has the path `new`."""
     return new + path[len(old) :] if path == old or path.startswith(f"{old}/") else path
-
-
-def with_reason(change: Change, reasons: Reasons) -> Change:
-    """A change with the reason that the overlays state for it."""
-    reason = reasons.of(change.path)
-    return replace(change, reason=reason) if reason else change

@@ -12,42 +12,38 @@ Fix: Correct the keys of the step, and leave out steps that access single bits.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.address_space import BIT, AddressSpace
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.record import Field, Message, RegisterAccess
 
-_CODE = "access_steps_fit_space"
 
-
-def access_steps_fit_space(device: Device) -> Iterator[Diagnostic]:
+def access_steps_fit_space(device: Device) -> Findings:
     for message in device.messages.values():
         steps = message.access_steps
         if not steps:
             continue
         if len(steps) == 1 and not steps[0].and_mask:
             text = f"{message.name} has a single access, which clients look for under `accesses`"
-            yield finding(_CODE, message.place, "accesses", text, "state it under `accesses`")
+            yield finding(message.place, "accesses", text, "state it under `accesses`")
         for (operation, name), times in Counter((step.operation, step.values) for step in steps).items():
             if name and times > 1:
                 text = f"{name} are the values of {times} steps that {operation} in {message.name}"
-                yield finding(_CODE, message.place, "accesses", text, "name a field of its own in each step")
+                yield finding(message.place, "accesses", text, "name a field of its own in each step")
         for step in steps:
             if step.space in ("", *device.spaces):
                 yield from _step(message, step, device.space(step.space))
 
 
-def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterator[Diagnostic]:
+def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Findings:
     does = f"{message.name} {step.operation}s"
     related_labels = () if not space.name else (label(space.place, "name", "the space"),)
     if space.unit == BIT:
         text = f"a step of {does} single bits"
         help = "state a message of one access for the bits"
-        yield finding(_CODE, message.place, "accesses", text, help, *related_labels)
+        yield finding(message.place, "accesses", text, help, *related_labels)
         return
     has_masks = bool(step.and_mask and step.or_mask)
     wrong = ""
@@ -59,13 +55,13 @@ def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterat
         wrong = "no `values`"
     if wrong:
         help = "a step has `values`, or writes one register with `and_mask` and `or_mask`"
-        yield finding(_CODE, message.place, "accesses", f"a step of {does} {wrong}", help)
+        yield finding(message.place, "accesses", f"a step of {does} {wrong}", help)
     carried = (step.and_mask, step.or_mask, step.values)
     own = (step.start, step.count, step.and_mask, step.or_mask, step.values if step.operation == "write" else "")
     shared = next((name for name, times in Counter(filter(None, own)).items() if times > 1), "")
     if shared:
         text = f"{shared} is stated for two purposes in a step of {message.name}"
-        yield finding(_CODE, message.place, "accesses", text, "name a field of its own for each purpose")
+        yield finding(message.place, "accesses", text, "name a field of its own for each purpose")
     holder = message.response if step.operation == "read" else message.request
     for name in filter(None, (step.start, step.count, *carried)):
         record = holder if name == step.values else message.request
@@ -77,19 +73,19 @@ def _step(message: Message, step: RegisterAccess, space: AddressSpace) -> Iterat
 
 def _number_findings(
     message: Message, field: Field, space: AddressSpace, is_carried: bool, may_be_list: bool
-) -> Iterator[Diagnostic]:
+) -> Findings:
     """The finding of a field that is not a number, or no register where it `is_carried`."""
     value = field.value
     if value is None or not is_count(value.encoding) or value.flags or (field.is_list and not may_be_list):
         text = f"{field.name} is not a single number, but a step of {message.name} needs one"
-        yield finding(_CODE, field.place, "name", text, "state it as an integer without flags")
+        yield finding(field.place, "name", text, "state it as an integer without flags")
     elif is_carried and (value.size != space.unit_size or is_signed(value.encoding)):
         text = f"{field.name} is {value.type.name}, but {message.name} accesses {space.unit}s"
         help = f"use `u{8 * space.unit_size}`, and give the registers their types"
-        yield finding(_CODE, field.place, "type", text, help)
+        yield finding(field.place, "type", text, help)
 
 
-def _count(message: Message, step: RegisterAccess, count: Field | None) -> Iterator[Diagnostic]:
+def _count(message: Message, step: RegisterAccess, count: Field | None) -> Findings:
     """The finding of a number of registers that may differ from what a request carries."""
     holder = message.response if step.operation == "read" else message.request
     values = holder.named(step.values) if step.values else None
@@ -98,8 +94,8 @@ def _count(message: Message, step: RegisterAccess, count: Field | None) -> Itera
     if count.measures is not None and count.measures.plus:
         text = f"{count.name} is the number of {values.name} plus {count.measures.plus} in {message.name}"
         help = "remove `plus`: what a request asks for is the number of registers"
-        yield finding(_CODE, count.place, "measures", text, help)
+        yield finding(count.place, "measures", text, help)
     elif step.operation == "write" and count.measures is None:
         text = f"{count.name} may differ from the number of {values.name} in {message.name}"
         help = f"add `measures: {{items: {values.name}}}`: encoders compute it, and decoders compare it"
-        yield finding(_CODE, count.place, "name", text, help, label(values.place, "name", values.name))
+        yield finding(count.place, "name", text, help, label(values.place, "name", values.name))

@@ -15,22 +15,18 @@ message.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import enumeration, finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding, label
 from fieldspec.language.model.access import narrowed, readable, writable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.table_records import TableRecord, table_records
 
-_CODE = "accesses_agree"
 _HELP = "correct one of them: outputs use the narrower access"
 _VERBS = (("read", readable), ("written", writable))
 
 
-def accesses_agree(device: Device) -> Iterator[Diagnostic]:
+def accesses_agree(device: Device) -> Findings:
     uses = table_records(device)
     for record in device.records.values():
         own = uses.get(record.name, [])
@@ -43,18 +39,18 @@ def accesses_agree(device: Device) -> Iterator[Diagnostic]:
         yield from _of_message(message.response, "response", "receives", "wo")
 
 
-def _of_message(data: Record, direction: str, verb: str, refused: str) -> Iterator[Diagnostic]:
+def _of_message(data: Record, direction: str, verb: str, refused: str) -> Findings:
     """The fields whose access contradicts the direction in which they are sent."""
     for field in data.fields:
         if field.access == refused and "access" in field.place:
             text = f"{field.name} is a field of a {direction}, which a controller {verb}, but its access is {refused}"
-            yield finding(_CODE, field.place, "access", text, "remove it: the message says who sends the field")
+            yield finding(field.place, "access", text, "remove it: the message says who sends the field")
         if "atomic" in field.place:
             text = f"{field.name} is a field of a {direction}, which is sent whole, so that `atomic` does not apply"
-            yield finding(_CODE, field.place, "atomic", text, "remove it, or state it at the register")
+            yield finding(field.place, "atomic", text, "remove it, or state it at the register")
 
 
-def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
+def _of_field(field: Field, uses: list[TableRecord]) -> Findings:
     """The access that the field permits, but no table with its record."""
     if not field.access or not all(use.access for use in uses):
         return
@@ -63,10 +59,10 @@ def _of_field(field: Field, uses: list[TableRecord]) -> Iterator[Diagnostic]:
             names = enumeration(list(dict.fromkeys(use.name for use in uses)))
             text = f"{field.name} can be {verb} by its access, {field.access}, but not as a part of {names}"
             related_label = label(uses[0].place, "access", f"the access of {uses[0].name}")
-            yield finding(_CODE, field.place, "access", text, _HELP, related_label)
+            yield finding(field.place, "access", text, _HELP, related_label)
 
 
-def _of_table(table: Table, record: Record) -> Iterator[Diagnostic]:
+def _of_table(table: Table, record: Record) -> Findings:
     """The access that the table permits, but no field of its record."""
     fields = [field for field in record.fields if not field.reserved]
     if not table.access or not fields or not all(field.access for field in fields):
@@ -75,4 +71,4 @@ def _of_table(table: Table, record: Record) -> Iterator[Diagnostic]:
         if allows(table.access) and not any(allows(field.access) for field in fields):
             text = f"{table.name} can be {verb} by its access, {table.access}, but no field of {record.name} can"
             related_label = label(fields[0].place, "access", f"the access of {fields[0].name}")
-            yield finding(_CODE, table.place, "access", text, _HELP, related_label)
+            yield finding(table.place, "access", text, _HELP, related_label)

@@ -14,17 +14,12 @@ value. Or remove `accesses`: users then send the message with all its fields.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field, Message, RegisterAccess
 
-_CODE = "accesses_complete"
 
-
-def accesses_complete(device: Device) -> Iterator[Diagnostic]:
+def accesses_complete(device: Device) -> Findings:
     for message in device.messages.values():
         access = message.single_access
         if access is None:
@@ -39,11 +34,11 @@ def accesses_complete(device: Device) -> Iterator[Diagnostic]:
                 text += f"{access.operation} registers by the message"
                 help = "state its `const`, or remove `accesses` from the message"
                 related_label = label(message.place, "accesses", "the fields that clients fill")
-                yield finding(_CODE, field.place, "name", text, help, related_label)
+                yield finding(field.place, "name", text, help, related_label)
         yield from _constants(message, access, packed=device.bit_access(message) is not None)
 
 
-def _constants(message: Message, access: RegisterAccess, packed: bool) -> Iterator[Diagnostic]:
+def _constants(message: Message, access: RegisterAccess, packed: bool) -> Findings:
     """The findings of an address or a number that clients cannot choose. `packed`: several bits are in one value."""
     start, count = message.request.named(access.start), message.request.named(access.count)
     holder = message.response if access.operation == "read" else message.request
@@ -57,7 +52,7 @@ def _constants(message: Message, access: RegisterAccess, packed: bool) -> Iterat
             f"{field.name} is the {noun} in {message.name}, but `{key}` says what is sent, whatever register is meant"
         )
         help = f"remove `{key}`, or remove `accesses`: users then send the message as any other"
-        yield finding(_CODE, field.place, key, text, help)
+        yield finding(field.place, key, text, help)
 
 
 def _is_filled(field: Field) -> bool:

@@ -15,9 +15,8 @@ bits. Codecs compare the bit count of a write request with its bytes, so its ran
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import enumeration, finding, label, range_key
+from fieldspec.language.checks.finding import Findings, enumeration, finding, label, range_key
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT, BYTE, WORD, AddressSpace
 from fieldspec.language.model.device import Device
@@ -27,17 +26,15 @@ from fieldspec.language.model.ranges import Ranges, merged
 from fieldspec.language.model.record import Field, Message, RegisterAccess
 from fieldspec.language.model.value import Value
 
-_CODE = "accesses_fit_space"
 
-
-def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
+def accesses_fit_space(device: Device) -> Findings:
     of_bits = spaces_of_bits(device)
     for name, accessing in of_bits.items():
         space = device.spaces[name]
         unit = _meant_unit(device, name)
         text = f"{enumeration(accessing)} access {unit}s in {name}, whose unit is the {space.unit}"
         help = f"state `unit: {unit}` for {name}, or name another space in the messages"
-        yield finding(_CODE, space.place, "unit", text, help)
+        yield finding(space.place, "unit", text, help)
     for message in device.messages.values():
         access = message.single_access
         if access is None or access.space not in ("", *device.spaces):
@@ -50,7 +47,7 @@ def accesses_fit_space(device: Device) -> Iterator[Diagnostic]:
         if count is not None and count.measures is not None and count.measures.plus:
             text = f"{count.name} is the number of {access.values} plus {count.measures.plus} in {message.name}"
             help = "remove `plus`: what a request asks for is the number of registers"
-            yield finding(_CODE, count.place, "measures", text, help)
+            yield finding(count.place, "measures", text, help)
         shared = next((name for name, times in Counter(filter(None, _numbers(access))).items() if times > 1), "")
         if shared:
             text = f"{shared} is stated for two purposes in {message.name}"
@@ -101,14 +98,12 @@ def spaces_of_bits(device: Device) -> dict[str, list[str]]:
     }
 
 
-def _words(
-    device: Device, message: Message, access: RegisterAccess, field: Field, space: AddressSpace
-) -> Iterator[Diagnostic]:
+def _words(device: Device, message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Findings:
     count = message.request.named(access.count) if access.count and access.operation == "write" else None
     if count is not None and count.measures is None and field.repeat is not None:
         text = f"{count.name} may differ from the number of {field.name} in {message.name}"
         help = f"add `measures: {{items: {field.name}}}`: encoders compute it, and decoders compare it"
-        yield finding(_CODE, count.place, "name", text, help, label(field.place, "name", field.name))
+        yield finding(count.place, "name", text, help, label(field.place, "name", field.name))
     if access.set is not None:
         text = f"`set` and `clear` have no effect in {message.name}, which accesses {space.unit}s"
         yield _of(message, text, "remove them", space)
@@ -119,7 +114,7 @@ def _words(
         if space.unit_size > 1 and order != device.byte_order:
             text = f"{field.name} has the {order}-endian digits of a word, but registers are {device.byte_order}-endian"
             help = "state one byte order for the registers and their digits"
-            yield finding(_CODE, field.place, "digits", text, help)
+            yield finding(field.place, "digits", text, help)
     elif not is_count(field.value.encoding) or field.value.size != space.unit_size:
         form = digits_text(field.value) if field.value.digits else field.value.type.name
         text = f"{field.name} is {form}, but {message.name} accesses {space.unit}s"
@@ -127,17 +122,17 @@ def _words(
         if field.value.digits:
             help = f"{space.unit}s are sent in {2 * space.unit_size} hexadecimal digits without a sign: state others as"
             help = f"{help} `parameters`"
-        yield finding(_CODE, field.place, "type", text, help)
+        yield finding(field.place, "type", text, help)
     elif is_signed(field.value.encoding) and space.unit == BYTE:
         text = f"{field.name} is {field.value.type.name}, but the bytes of a register have no sign"
-        yield finding(_CODE, field.place, "type", text, "use `u8`, and give the registers their types")
+        yield finding(field.place, "type", text, "use `u8`, and give the registers their types")
 
 
-def _packed(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
+def _packed(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Findings:
     if field.value is not None and field.value.type.name != "u8":
         text = f"{field.name} is {field.value.type.name}, but bits are packed into bytes"
         related_label = label(space.place, "unit", "the unit of the space")
-        yield finding(_CODE, field.place, "type", text, "use `u8`", related_label)
+        yield finding(field.place, "type", text, "use `u8`", related_label)
     if not access.count:
         text = f"{message.name} does not state how many bits {field.name} has"
         yield _of(message, text, "name the field with the number under `count`", space)
@@ -147,9 +142,7 @@ def _packed(message: Message, access: RegisterAccess, field: Field, space: Addre
     if field.value is not None and (field.value.flags or field.value.enum):
         key = "flags" if field.value.flags else "enum"
         text = f"`{key}` has no effect on {field.name} in {message.name}, whose bits are packed"
-        yield finding(
-            _CODE, field.place, key, text, f"remove `{key}`, and describe the bits as registers of {space.name}"
-        )
+        yield finding(field.place, key, text, f"remove `{key}`, and describe the bits as registers of {space.name}")
     count = message.request.named(access.count) if access.count else None
     if count is not None and access.operation == "write":
         yield from _bit_count(message, count, field)
@@ -157,25 +150,23 @@ def _packed(message: Message, access: RegisterAccess, field: Field, space: Addre
         yield from _bytes_of_bits(count, count.value, field)
 
 
-def _bit_count(message: Message, count: Field, packed: Field) -> Iterator[Diagnostic]:
+def _bit_count(message: Message, count: Field, packed: Field) -> Findings:
     """The findings of the field with the number of bits that a request writes, which codecs compare with the bytes."""
     value = count.value
     related_label = label(packed.place, "repeat", f"the bytes of {packed.name}")
     is_number = value is not None and is_count(value.encoding) and not is_signed(value.encoding) and not value.digits
     if value is None or not is_number or value.size > 2 or value.flags or value.enum or count.is_list or count.reserved:
         text = f"{count.name} is the number of bits in {message.name}, and no single `u8` or `u16`"
-        yield finding(
-            _CODE, count.place, "name", text, "state it as `u8` or `u16`, without an enum or digits", related_label
-        )
+        yield finding(count.place, "name", text, "state it as `u8` or `u16`, without an enum or digits", related_label)
     elif count.measures is not None:
         text = f"{count.name} is the number of bits in {message.name}, but `measures` {count.measures.of}"
         help = "remove `measures`: `accesses` says that it is the number of the bits, which codecs compare"
-        yield finding(_CODE, count.place, "measures", text, help, related_label)
+        yield finding(count.place, "measures", text, help, related_label)
     else:
         yield from _bytes_of_bits(count, value, packed)
 
 
-def _bytes_of_bits(count: Field, value: Value, packed: Field) -> Iterator[Diagnostic]:
+def _bytes_of_bits(count: Field, value: Value, packed: Field) -> Findings:
     """Whether the repetitions of packed bytes have room for the number of bits, and no more."""
     if packed.repeat is None or (value.const is None and value.ranges is None):
         return
@@ -188,14 +179,14 @@ def _bytes_of_bits(count: Field, value: Value, packed: Field) -> Iterator[Diagno
         key = "const" if value.const is not None else range_key(count.place)
         help = "a byte has eight bits: correct the number or the repetitions, or leave out `accesses` if the device"
         help += " packs them in another way"
-        yield finding(_CODE, count.place, key, text, help, label(packed.place, "repeat", f"the bytes of {packed.name}"))
+        yield finding(count.place, key, text, help, label(packed.place, "repeat", f"the bytes of {packed.name}"))
 
 
-def _single(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Iterator[Diagnostic]:
+def _single(message: Message, access: RegisterAccess, field: Field, space: AddressSpace) -> Findings:
     value = field.value
     if value is None or not is_count(value.encoding) or field.count is not None:
         text = f"{field.name} is neither bits packed into a repeated `u8` nor a number for a single bit"
-        yield finding(_CODE, field.place, "type", text, "correct the field, or `values` of the message")
+        yield finding(field.place, "type", text, "correct the field, or `values` of the message")
         return
     if access.count:
         text = f"{message.name} has a `count`, but {field.name} is a single bit"
@@ -213,4 +204,4 @@ def _single(message: Message, access: RegisterAccess, field: Field, space: Addre
 
 def _of(message: Message, text: str, help: str, space: AddressSpace) -> Diagnostic:
     related_labels = () if not space.name else (label(space.place, "name", "the space"),)
-    return finding(_CODE, message.place, "accesses", text, help, *related_labels)
+    return finding(message.place, "accesses", text, help, *related_labels)

@@ -11,14 +11,11 @@ group in another order, set `order: as_listed` on the group.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, hexadecimal, label, longest_ascent
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label, longest_ascent
 from fieldspec.language.model.device import Device
 
 
-def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
+def addresses_ascending(device: Device) -> Findings:
     for group in device.groups:
         if not group.ascending:
             continue
@@ -29,7 +26,6 @@ def addresses_ascending(device: Device) -> Iterator[Diagnostic]:
                 other = rows[number - 1] if number else rows[1]
                 relation = "after" if number else "before"
                 yield finding(
-                    "addresses_ascending",
                     row.place,
                     "at",
                     f"{row.name} at {hexadecimal(row.address)} breaks the order of {group.name}",

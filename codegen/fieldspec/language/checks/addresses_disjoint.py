@@ -10,17 +10,15 @@ the overlap is intended, set `allow: {addresses_disjoint: <reason>}` on one of t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from operator import attrgetter
 
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.addresses import Block, blocks
-from fieldspec.language.checks.finding import addresses, finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, addresses, finding, label
 from fieldspec.language.model.device import Device
 
 
-def addresses_disjoint(device: Device) -> Iterator[Diagnostic]:
+def addresses_disjoint(device: Device) -> Findings:
     yield from _elements_overlap(device)
     furthest: Block | None = None
     reported = set()
@@ -32,7 +30,6 @@ def addresses_disjoint(device: Device) -> Iterator[Diagnostic]:
             if pair not in reported:
                 reported.add(pair)
                 yield finding(
-                    "addresses_disjoint",
                     block.fact.place,
                     block.key,
                     f"{block.name} at {addresses(block.first, block.last)} overlaps {furthest.name}",
@@ -47,11 +44,10 @@ def addresses_disjoint(device: Device) -> Iterator[Diagnostic]:
             furthest = block
 
 
-def _elements_overlap(device: Device) -> Iterator[Diagnostic]:
+def _elements_overlap(device: Device) -> Findings:
     for register in device.registers():
         if register.count > 1 and register.stride < register.width:
             yield finding(
-                "addresses_disjoint",
                 register.place,
                 "stride",
                 f"elements of {register.name} have {plural(register.width, device.space(register.space).unit)}"

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.language.checks.addresses import table_words
-from fieldspec.language.checks.finding import finding, hexadecimal, label
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
@@ -22,12 +22,11 @@ from fieldspec.language.model.record import Field, Message
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.value import Value
 
-_CODE = "addresses_fit_messages"
 _REFUSED = {"read": "wo", "write": "ro"}
 _HELP = "correct the type or the range of the field, or the address"
 
 
-def addresses_fit_messages(device: Device) -> Iterator[Diagnostic]:
+def addresses_fit_messages(device: Device) -> Findings:
     for message in device.messages.values():
         access = message.single_access
         field = message.request.named(access.start) if access is not None else None
@@ -65,4 +64,4 @@ def _contains(value: Value, first: int, last: int) -> bool:
 def _finding(message: Message, field: Field, fact: Fact, key: str, address: int) -> Diagnostic:
     text = f"{fact.name} has the address {hexadecimal(address)}, which {field.name} of {message.name} cannot contain"
     related_label = label(field.place, "range" if "range" in field.place else "type", "the field with the address")
-    return finding(_CODE, fact.place, key, text, _HELP, related_label)
+    return finding(fact.place, key, text, _HELP, related_label)

@@ -11,10 +11,7 @@ Fix: Correct one of them and write an erratum, or remove `same_as`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label, range_key
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Part
@@ -24,21 +21,19 @@ from fieldspec.language.model.value import Value
 _HELP = "correct one of them, or remove `same_as`"
 
 
-def aliases_agree(device: Device) -> Iterator[Diagnostic]:
+def aliases_agree(device: Device) -> Findings:
     registers = {register.name: register for register in device.registers()}
     for register in device.registers():
         other = registers.get(register.same_as)
         if other is register:
-            yield finding("aliases_agree", register.place, "same_as", f"{register.name} is itself", "remove `same_as`")
+            yield finding(register.place, "same_as", f"{register.name} is itself", "remove `same_as`")
         elif other is not None:
             yield from _compare_values(f"{register.name} is {other.name}", register, register.value, other, other.value)
     for record in device.records.values():
         alike = device.records.get(record.same_as)
         if alike is not None and (alike is record or not any(alike.named(field.name) for field in record.fields)):
             text = f"{record.name} is itself" if alike is record else f"no field of {record.name} is in {alike.name}"
-            yield finding(
-                "aliases_agree", record.place, "same_as", text, "give both the same names, or remove `same_as`"
-            )
+            yield finding(record.place, "same_as", text, "give both the same names, or remove `same_as`")
         for field in record.fields:
             same = alike.named(field.name) if alike is not None else None
             yield from _echo(field, same, f"{field.name} is the same as in {record.same_as}")
@@ -57,24 +52,22 @@ def aliases_agree(device: Device) -> Iterator[Diagnostic]:
             yield from _echo(field, parts.get(field.same_as), f"{field.name} repeats {field.same_as} of the request")
 
 
-def _echo(field: Field | Part, same: Field | Part | None, text: str) -> Iterator[Diagnostic]:
+def _echo(field: Field | Part, same: Field | Part | None, text: str) -> Findings:
     if same is not None and field.value is not None and same.value is not None:
         yield from _compare_values(text, field, field.value, same, same.value)
 
 
-def _repeats(field: Field, same: Field | None, text: str) -> Iterator[Diagnostic]:
+def _repeats(field: Field, same: Field | None, text: str) -> Findings:
     """A field of a response can have the values of the request: the same number of elements, and the same constant."""
     if same is None:
         return
     if _elements(field) != _elements(same):
         key, related_label = _elements_key(field), label(same.place, _elements_key(same), f"in {same.name}")
-        yield finding(
-            "aliases_agree", field.place, key, f"{text}, but has a different number of elements", _HELP, related_label
-        )
+        yield finding(field.place, key, f"{text}, but has a different number of elements", _HELP, related_label)
     mine = field.value.const if field.value is not None else None
     if mine is not None and same.value is not None and mine != same.value.const:
         related_label = label(same.place, "const" if "const" in same.place else "name", f"in {same.name}")
-        yield finding("aliases_agree", field.place, "const", f"{text}, but is always the same", _HELP, related_label)
+        yield finding(field.place, "const", f"{text}, but is always the same", _HELP, related_label)
 
 
 def _elements(field: Field) -> object:
@@ -86,7 +79,7 @@ def _elements_key(field: Field) -> str:
     return next((key for key in ("count", "repeat") if key in field.place), "type")
 
 
-def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Iterator[Diagnostic]:
+def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Value) -> Findings:
     for key, mine, theirs in (
         ("type", (value.type.name, value.size), (same.type.name, same.size)),
         ("scale", (value.scale, value.offset), (same.scale, same.offset)),
@@ -99,7 +92,6 @@ def _compare_values(text: str, fact: Fact, value: Value, other: Fact, same: Valu
     ):
         if mine != theirs and mine and theirs:
             yield finding(
-                "aliases_agree",
                 fact.place,
                 key,
                 f"{text}, but has a different {key.removeprefix('unit_')}",

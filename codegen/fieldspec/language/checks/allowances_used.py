@@ -9,15 +9,13 @@ Fix: Remove the allowance, or correct the name of the rule.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable
 
-from fieldspec.language.checks.finding import Allowance, finding
+from fieldspec.language.checks.finding import Allowance, Findings, finding_of
 from fieldspec.language.diagnostics import Diagnostic
 
 
-def allowances_used(
-    allowances: Iterable[Allowance], used: Collection[Allowance], names: Collection[str]
-) -> Iterator[Diagnostic]:
+def allowances_used(allowances: Iterable[Allowance], used: Collection[Allowance], names: Collection[str]) -> Findings:
     """Judges the allowances themselves. The runner calls it after the checks with the allowances that they needed.
 
     An allowance that a block and its copies share counts once.
@@ -38,4 +36,4 @@ def _position(allowance: Allowance) -> tuple[str, str, int]:
 
 
 def _finding(allowance: Allowance, text: str, help: str) -> Diagnostic:
-    return finding("allowances_used", allowance.fact.place, "allow", text, help)
+    return finding_of("allowances_used", allowance.fact.place, "allow", text, help)

@@ -13,20 +13,15 @@ same address, state only `base`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.addresses import table_words
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.checks.numbers import number_objection
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register, Table
 from fieldspec.language.model.sizes import RecordSizes
 
-_CODE = "bases_apply"
 
-
-def bases_apply(device: Device) -> Iterator[Diagnostic]:
+def bases_apply(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for table in device.tables.values():
         register = device.register(table.base_by) if table.base_by else None
@@ -37,7 +32,7 @@ def bases_apply(device: Device) -> Iterator[Diagnostic]:
         if wrong:
             text = f"{register.name} cannot be the address of {table.name}: {wrong}"
             help = "name the register with the address of the first element, or correct that register"
-            yield finding(_CODE, table.place, "base_by", text, help, label(register.place, "name", "the register"))
+            yield finding(table.place, "base_by", text, help, label(register.place, "name", "the register"))
         yield from _detections(device, table)
 
 
@@ -61,11 +56,11 @@ def _no_address(device: Device, table: Table, register: Register, extent: int) -
     return "" if is_apart or table.base > last or first > table.base + extent - 1 else "it is in one of the elements"
 
 
-def _detections(device: Device, table: Table) -> Iterator[Diagnostic]:
+def _detections(device: Device, table: Table) -> Findings:
     """A version is identified by a value at a constant address."""
     record = device.records.get(table.record)
     paths = {field.place.path for field in record.fields} if record is not None else set()
     for line in device.lines:
         if line.detected_by is not None and line.detected_by.fact in paths:
             text = f"the version is detected by a field of {table.name}, whose address depends on the device"
-            yield finding(_CODE, table.place, "base_by", text, "name a register under `detected_by`")
+            yield finding(table.place, "base_by", text, "name a register under `detected_by`")

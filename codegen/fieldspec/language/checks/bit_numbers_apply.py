@@ -13,23 +13,20 @@ its scale and its unit.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import partial
 
-from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.checks.settled import of_values, of_words
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 
-_CODE = "bit_numbers_apply"
 _KEYS = ("signed", "scale", "offset", "unit")
 _LEVEL_KEYS = ("zero", "one", "active")
 
 
-def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
+def bit_numbers_apply(device: Device) -> Findings:
     yield from of_words(device, _of_word)
     yield from of_values(device, partial(_of_sentinels, device))
     for link in device.links.values():
@@ -38,29 +35,29 @@ def bit_numbers_apply(device: Device) -> Iterator[Diagnostic]:
             if bounded:
                 text = f"{part.name} is a part of a frame, to which the range of {bounded[0].name} does not apply"
                 related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
-                yield finding(_CODE, part.place, "flags", text, "use a word of bits without a range", related_label)
+                yield finding(part.place, "flags", text, "use a word of bits without a range", related_label)
 
 
-def _of_sentinels(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_sentinels(device: Device, fact: Fact, value: Value) -> Findings:
     bounded = device.flags[value.flags].bounded if value.flags in device.flags else ()
     if bounded and value.sentinels:
         text = f"{fact.name} has special values, which the range of {bounded[0].name} does not except"
         related_label = label(bounded[0].place, range_key(bounded[0].place), "the range")
         help = "remove one of them, or use a word of bits without a range"
-        yield finding(_CODE, fact.place, "sentinels", text, help, related_label)
+        yield finding(fact.place, "sentinels", text, help, related_label)
 
 
-def _of_word(word: Flags) -> Iterator[Diagnostic]:
+def _of_word(word: Flags) -> Findings:
     for bit in word.bits:
         yield from _of_number(word, bit)
         yield from _of_range(bit)
         for key in _LEVEL_KEYS:
             if bit.width > 1 and key in bit.place:
                 text = f"{bit.name} has {bit.width} bits, to which `{key}` does not apply"
-                yield finding(_CODE, bit.place, key, text, "name the numbers with an `enum`, or divide the bits")
+                yield finding(bit.place, key, text, "name the numbers with an `enum`, or divide the bits")
 
 
-def _of_number(word: Flags, bit: Bit) -> Iterator[Diagnostic]:
+def _of_number(word: Flags, bit: Bit) -> Findings:
     keys = [key for key in _KEYS if key in bit.place] if bit.is_number else []
     if not keys:
         return
@@ -73,10 +70,10 @@ def _of_number(word: Flags, bit: Bit) -> Iterator[Diagnostic]:
         reason, help = f"fills {word.name}", "state the word as a value of a signed type"
     if reason:
         text = f"{bit.name} {reason}, to which `{keys[0]}` does not apply"
-        yield finding(_CODE, bit.place, keys[0], text, help)
+        yield finding(bit.place, keys[0], text, help)
 
 
-def _of_range(bit: Bit) -> Iterator[Diagnostic]:
+def _of_range(bit: Bit) -> Findings:
     if bit.ranges is None:
         return
     key, reason = range_key(bit.place), ""
@@ -87,4 +84,4 @@ def _of_range(bit: Bit) -> Iterator[Diagnostic]:
     elif bit.when:
         reason, help = "has its meaning under a condition only", "remove it, and state the range in `doc`"
     if reason:
-        yield finding(_CODE, bit.place, key, f"{bit.name} {reason}, to which `{key}` does not apply", help)
+        yield finding(bit.place, key, f"{bit.name} {reason}, to which `{key}` does not apply", help)

@@ -13,12 +13,11 @@ is in the list.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import partial
 
-from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.checks.settled import of_values, of_words
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.fact import Fact
@@ -28,19 +27,19 @@ from fieldspec.language.model.value import Value
 _WIDEST = 64
 
 
-def bits_match_range(device: Device) -> Iterator[Diagnostic]:
+def bits_match_range(device: Device) -> Findings:
     yield from of_words(device, lambda word: _compare_range(device, word, word, word.ranges))
     yield from of_values(device, partial(_of_value, device))
 
 
-def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(device: Device, fact: Fact, value: Value) -> Findings:
     used = device.flags.get(value.flags)
     if used is not None:
         wrong = list(_compare_range(device, fact, used, value.ranges))
         yield from wrong or _compare_words(fact, value, used)
 
 
-def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) -> Iterator[Diagnostic]:
+def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | None) -> Findings:
     if ranges is None or any(bit.last >= _WIDEST for bit in word.bits):
         return
     all_bits = _union(bit for bit in word.bits)
@@ -52,7 +51,6 @@ def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | Non
     whole = word.type.high if all_bits.bit_length() == word.type.high.bit_length() else useful
     if ranges.intervals not in (((0, all_bits),), ((0, useful),), ((0, highest),), ((0, whole),)):
         yield finding(
-            "bits_match_range",
             fact.place,
             range_key(fact.place),
             f"the range of {fact.name} is {ranges.text()}; its bits give 0..{useful}",
@@ -61,14 +59,12 @@ def _compare_range(device: Device, fact: Fact, word: Flags, ranges: Ranges | Non
         )
 
 
-def _compare_words(fact: Fact, value: Value, word: Flags) -> Iterator[Diagnostic]:
+def _compare_words(fact: Fact, value: Value, word: Flags) -> Findings:
     """A value states a range where its words of bits have one: encoders compare that of the value."""
     if word.ranges is not None and value.ranges is None and value.const is None:
         text = f"{fact.name} states no range, but the words {word.name} have the range {word.ranges.text()}"
         related_label = label(word.place, "range", word.name)
-        yield finding(
-            "bits_match_range", fact.place, "flags", text, f"add `range: {word.ranges.text()}`", related_label
-        )
+        yield finding(fact.place, "flags", text, f"add `range: {word.ranges.text()}`", related_label)
 
 
 def _highest(device: Device, bit: Bit) -> int:

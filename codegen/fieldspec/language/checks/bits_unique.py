@@ -9,27 +9,23 @@ Fix: Correct one of the numbers and write an erratum, or add `when` to both entr
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.checks.settled import of_words
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
 
 
-def bits_unique(device: Device) -> Iterator[Diagnostic]:
+def bits_unique(device: Device) -> Findings:
     return of_words(device, _of_word)
 
 
-def _of_word(word: Flags) -> Iterator[Diagnostic]:
+def _of_word(word: Flags) -> Findings:
     owners: dict[int, list[Bit]] = {}
     for bit in word.bits:
         same_bit_owners = [other for number in bit.places for other in owners.get(number, [])]
         clash = next((other for other in same_bit_owners if not _apart(bit, other)), None)
         if clash is not None:
             yield finding(
-                "bits_unique",
                 bit.place,
                 _key(bit),
                 f"{bit.name} uses {_claim(bit)} of {word.name}, which {clash.name} also uses",

@@ -13,22 +13,18 @@ Fix: Correct the type or the bit number, and write an erratum if the manual prin
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 
 
-def bits_within_width(device: Device) -> Iterator[Diagnostic]:
+def bits_within_width(device: Device) -> Findings:
     for word in device.flags.values():
         width = 8 * word.type.size
         for bit in word.bits:
             if bit.last >= width:
                 yield finding(
-                    "bits_within_width",
                     bit.place,
                     "bits" if "bits" in bit.place else "bit",
                     f"{bit.name} has bit {bit.last}, but {word.name} has the bits 0 to {width - 1}",
@@ -47,14 +43,13 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
                 f"correct the type, or state `type: {value.type.name}` for {used.name}: narrower values may use it too"
             )
             related_label = label(used.place, "type", f"the type of {used.name}")
-            yield finding("bits_within_width", fact.place, "flags", text, help, related_label)
+            yield finding(fact.place, "flags", text, help, related_label)
         if not used.bits:
             continue
         highest = max(used.bits, key=lambda bit: bit.last)
         if not is_count(value.encoding) or highest.last >= 8 * value.type.size:
             widest[used.name] = used.type.size  # one of the two is wrong, which one finding says
             yield finding(
-                "bits_within_width",
                 fact.place,
                 "flags",
                 f"{fact.name} is {value.type.name} and cannot hold bit {highest.last} of {used.name}",
@@ -67,4 +62,4 @@ def bits_within_width(device: Device) -> Iterator[Diagnostic]:
         if word.type.size > next(whole for whole in (1, 2, 4, 8, size) if whole >= size):
             text = f"{name} is {word.type.name}, wider than every value that uses it"
             help = f"the widest of them has {8 * size} bits; correct its type or that of the word"
-            yield finding("bits_within_width", word.place, "type", text, help)
+            yield finding(word.place, "type", text, help)

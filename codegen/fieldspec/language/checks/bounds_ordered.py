@@ -10,13 +10,12 @@ Fix: Correct one of the defaults, and write an erratum.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import TypeAlias
 
 from fieldspec.foundation.names import Name
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import default_key, finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, default_key, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.fact import Fact
@@ -28,7 +27,7 @@ _PAIRS = {"negative": "positive", "lower": "upper", "minimum": "maximum", "low":
 _Rows: TypeAlias = Sequence[tuple[Fact, Value]]
 
 
-def bounds_ordered(device: Device) -> Iterator[Diagnostic]:
+def bounds_ordered(device: Device) -> Findings:
     for group in device.groups:
         yield from _of_list([(row, row.value) for row in group.registers if not row.copy_of])
     for parameter_set in device.parameters.values():
@@ -37,7 +36,7 @@ def bounds_ordered(device: Device) -> Iterator[Diagnostic]:
         yield from _of_list([(field, field.value) for field in layer.fields if field.value is not None])
 
 
-def _of_list(rows: _Rows) -> Iterator[Diagnostic]:
+def _of_list(rows: _Rows) -> Findings:
     rows_by_words = {Name.of(fact.name).words: (fact, value) for fact, value in rows}
     for words, (fact, value) in rows_by_words.items():
         for index, word in enumerate(words):
@@ -55,9 +54,9 @@ def _comparable(value: Value, other: Value) -> bool:
     )
 
 
-def _compare_defaults(fact: Fact, value: Value, other: Fact, above: Value) -> Iterator[Diagnostic]:
+def _compare_defaults(fact: Fact, value: Value, other: Fact, above: Value) -> Findings:
     low, high = value.default, above.default
     if isinstance(low, int) and isinstance(high, int) and low >= high and (low, high) != (0, 0):
         text = f"the default of {fact.name} is {low}, but the default of {other.name} is {high}"
         related_label = label(other.place, default_key(other.place), "the upper bound")
-        yield finding("bounds_ordered", fact.place, default_key(fact.place), text, "correct one of them", related_label)
+        yield finding(fact.place, default_key(fact.place), text, "correct one of them", related_label)

@@ -10,18 +10,13 @@ Fix: Correct the range or the address, and write an erratum if the manual prints
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import is_count
 
-_CODE = "broadcast_apart"
 
-
-def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
+def broadcast_apart(device: Device) -> Findings:
     for link in device.links.values():
         stations = link.unit_addresses
         if stations is None or stations.broadcast is None:
@@ -29,7 +24,7 @@ def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
         if stations.ranges is not None and stations.broadcast in stations.ranges:
             text = f"{stations.broadcast} is the broadcast address and also a unit address"
             related_label = label(stations.place, "range", "the stations")
-            yield finding(_CODE, stations.place, "broadcast", text, "correct one of them", related_label)
+            yield finding(stations.place, "broadcast", text, "correct one of them", related_label)
         part = next((part for part in link.request if part.role == "unit_address" and part.value), None)
         value = part.value if part is not None else None
         if value is None or not is_count(value.encoding):
@@ -37,4 +32,4 @@ def broadcast_apart(device: Device) -> Iterator[Diagnostic]:
         if not value.low <= stations.broadcast <= value.high:
             kind = digits_text(value) if value.digits else value.type.name
             text = f"the address {stations.broadcast} does not fit {kind}"
-            yield finding(_CODE, stations.place, "broadcast", text, "correct the address or the type")
+            yield finding(stations.place, "broadcast", text, "correct the address or the type")

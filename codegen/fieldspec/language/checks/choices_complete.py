@@ -17,22 +17,18 @@ one of the cases.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import fields, layers, nested_fields
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Whole, is_count, is_signed
 from fieldspec.language.model.record import Case, Choice, Field, Record, choice_count
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.value import Value
 
-_CODE = "choices_complete"
 _MOST_BYTES = 4
 
 
-def choices_complete(device: Device) -> Iterator[Diagnostic]:
+def choices_complete(device: Device) -> Findings:
     sizes = RecordSizes(device)
     part_names = {field.record for field in fields(device)}
     for layer in layers(device):
@@ -49,24 +45,24 @@ def choices_complete(device: Device) -> Iterator[Diagnostic]:
         if own is not None:
             text = f"{own.name} has a choice, so it cannot be part of {table.name}"
             help = "move the choice to the data of a message"
-            yield finding(_CODE, table.place, "record", text, help, label(own.place, "name", own.name))
+            yield finding(table.place, "record", text, help, label(own.place, "name", own.name))
 
 
-def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool) -> Iterator[Diagnostic]:
+def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool) -> Findings:
     other_fields = [other for other in layer.fields if other is not field]
     varying = next((other for other in other_fields if not sizes.is_fixed(other)), None)
     has_bits = field.choice is not None and field.choice.bits is not None
     if field.count is not None:
         text = f"{field.name} has a choice and a `count`"
-        yield finding(_CODE, field.place, "count", text, "use `repeat` to the end of the data, or remove `count`")
+        yield finding(field.place, "count", text, "use `repeat` to the end of the data, or remove `count`")
     elif field.repeat is not None and has_bits and not _is_byte(layer, field):
         text = f"some bits decide the type of {field.name}, which has several elements, and are not in one byte"
-        yield finding(_CODE, field.place, "repeat", text, "state the choice in a record, and `repeat` that")
+        yield finding(field.place, "repeat", text, "state the choice in a record, and `repeat` that")
     elif field.repeat is not None and (is_part or varying is not None or field is not layer.fields[-1]):
         text = f"{field.name} has a choice and several elements, so only the end of the data determines where they end"
         help = "list it last in a message in which all else has a fixed size, or remove `repeat`"
         labels = [label(varying.place, "name", "has no fixed size")] if varying is not None else []
-        yield finding(_CODE, field.place, "repeat", text, help, *labels)
+        yield finding(field.place, "repeat", text, help, *labels)
     has_widths = field.choice is not None and field.choice.has_widths
     is_moved = has_widths or (has_bits and not field.is_list)
     if field is layer.fields[-1] and not is_part and varying is None and not is_moved:
@@ -76,11 +72,11 @@ def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool)
             continue
         text = f"{other.name} measures {field.name}, whose size {field.choice.by if field.choice else ''} decides"
         text += ", and is not the first before it to count its bytes as a binary `u8` or `u16` without a `range`"
-        yield finding(_CODE, other.place, "measures", text, "state it so, or remove `measures`")
+        yield finding(other.place, "measures", text, "state it so, or remove `measures`")
     for case in field.choice.cases if field.choice is not None else ():
         if case.value.parameter is not None:
             text = f"{case.name} carries a part of a parameter, and {field.name} does not end a message alone"
-            yield finding(_CODE, case.place, "parameter", text, "list it last, after fields of fixed size")
+            yield finding(case.place, "parameter", text, "list it last, after fields of fixed size")
 
 
 def _is_byte(layer: Record, field: Field) -> bool:
@@ -89,7 +85,7 @@ def _is_byte(layer: Record, field: Field) -> bool:
     return selector is None or selector.value is None or selector.value.size == 1
 
 
-def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Iterator[Diagnostic]:
+def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Findings:
     names = [other.name for other in layer.fields]
     selector = layer.named(choice.by)
     if selector is None:
@@ -97,14 +93,14 @@ def _decided(device: Device, layer: Record, field: Field, choice: Choice) -> Ite
     if names.index(selector.name) >= names.index(field.name):
         text = f"{selector.name} decides {field.name}, but does not come before it"
         help = "list the fields in the order of the wire"
-        yield finding(_CODE, field.place, "choice", text, help, label(selector.place, "name", selector.name))
+        yield finding(field.place, "choice", text, help, label(selector.place, "name", selector.name))
     objection = _objection(device, selector, choice)
     if objection:
         text = f"{selector.name} cannot decide {field.name}: {objection}"
         help = "name one unsigned number that has an enum"
         if choice.bits is not None:
             help = "name one unsigned number whose `flags` have an enum in these bits"
-        yield finding(_CODE, field.place, "choice", text, help, label(selector.place, "name", selector.name))
+        yield finding(field.place, "choice", text, help, label(selector.place, "name", selector.name))
 
 
 def _objection(device: Device, selector: Field, choice: Choice) -> str:
@@ -126,7 +122,7 @@ def _mixed(device: Device, value: Value) -> bool:
     return value.size > 2 and bool(words) and words != (value.byte_order or device.byte_order)
 
 
-def _apart(choice: Choice) -> Iterator[Diagnostic]:
+def _apart(choice: Choice) -> Findings:
     first: dict[str, Case] = {}
     for case in choice.cases:
         for member in case.when:
@@ -134,5 +130,5 @@ def _apart(choice: Choice) -> Iterator[Diagnostic]:
                 other = first[member]
                 text = f"`{member}` is in the case {case.name} and in {other.name}"
                 related_label = label(other.place, "when", other.name)
-                yield finding(_CODE, case.place, "when", text, "remove it from one of them", related_label)
+                yield finding(case.place, "when", text, "remove it from one of them", related_label)
             first[member] = case

@@ -12,10 +12,7 @@ way.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import is_count
@@ -24,10 +21,8 @@ from fieldspec.language.model.record import Message
 from fieldspec.language.model.sizes import messages_on
 from fieldspec.language.model.value import Value
 
-_CODE = "codes_fit_link"
 
-
-def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
+def codes_fit_link(device: Device) -> Findings:
     for link in device.links.values():
         codes = [part for part in (*link.request, *link.response) if part.role == "code" and part.value is not None]
         numbers = [part for part in codes if part.value is not None and is_count(part.value.encoding)]
@@ -41,14 +36,12 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
             mark = f"the code {error.code:#x}" if error.code is not None else f"the bit {error.flag:#x}"
             text = f"{part.name} is {_kind(part.value)} and cannot hold {mark}"
             help = "correct the bit or the part's type"
-            yield finding(
-                _CODE, link.place, "exception_response", text, help, label(part.place, "type", part.value.type.name)
-            )
+            yield finding(link.place, "exception_response", text, help, label(part.place, "type", part.value.type.name))
         if link.exception_response is not None and link.exception_response.flag and part.value.digits == "decimal":
             text = f"{part.name} is sent as decimal digits, in which no bit marks an exception response"
             help = "state the mark as `code`, `part` or `field`"
             related_label = label(part.place, "digits", part.name)
-            yield finding(_CODE, link.place, "exception_response", text, help, related_label)
+            yield finding(link.place, "exception_response", text, help, related_label)
         for message in messages_on(device, link):
             wide = list(_wide(link, message))
             yield from wide
@@ -56,7 +49,7 @@ def codes_fit_link(device: Device) -> Iterator[Diagnostic]:
                 yield from _check_flag(link, message)
 
 
-def _wide(link: Link, message: Message) -> Iterator[Diagnostic]:
+def _wide(link: Link, message: Message) -> Findings:
     """The codes of a message that do not fit the parts in which they are sent."""
     for key, code in message.codes:
         only_asks = key == "code" and message.response_code is not None
@@ -68,7 +61,7 @@ def _wide(link: Link, message: Message) -> Iterator[Diagnostic]:
             printed = str(code) if value.digits == "decimal" else f"{code:#x}"
             text = f"the code {printed} does not fit {part.name}, which is {_kind(value)}"
             help = "correct the code or the part's type"
-            yield finding(_CODE, message.place, key, text, help, label(part.place, "type", part.name))
+            yield finding(message.place, key, text, help, label(part.place, "type", part.name))
             break
 
 
@@ -82,7 +75,7 @@ def _mark(error: ExceptionResponse) -> int:
     return max(error.code, 1) if error.code is not None else error.flag or 1
 
 
-def _check_flag(link: Link, message: Message) -> Iterator[Diagnostic]:
+def _check_flag(link: Link, message: Message) -> Findings:
     error = link.exception_response
     if error is None or not message.codes:
         return
@@ -91,10 +84,10 @@ def _check_flag(link: Link, message: Message) -> Iterator[Diagnostic]:
     related_label = label(link.place, "exception_response", f"exception responses on {link.name}")
     if code == error.code:
         text = f"{message.name} has the code {code:#x} of exception responses"
-        yield finding(_CODE, message.place, key, text, "correct one of the codes", related_label)
+        yield finding(message.place, key, text, "correct one of the codes", related_label)
     if code & error.flag:
         text = f"the code {code:#x} has the bit {error.flag:#x}, which marks an exception response"
         help = "correct the code or the bit"
         if key == "response_code":
             help += ", which exception responses have besides the code of the response"
-        yield finding(_CODE, message.place, key, text, help, related_label)
+        yield finding(message.place, key, text, help, related_label)

@@ -13,10 +13,8 @@ long as the value is set, state `allow: {commands_are_triggers: <reason>}`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Parameter, Register
 from fieldspec.language.model.table_records import table_records
@@ -27,7 +25,7 @@ _ACTIONS = frozenset(
 """The roles of what starts an action when it is written."""
 
 
-def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
+def commands_are_triggers(device: Device) -> Findings:
     writable: list[Register | Parameter] = [*device.registers()]
     writable += [parameter for parameters in device.parameters.values() for parameter in parameters.parameters]
     for fact in writable:
@@ -42,7 +40,7 @@ def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
         else:
             continue
         help = "set `trigger: true`, or correct the access"
-        yield finding("commands_are_triggers", fact.place, key, text, help, severity=Severity.WARNING)
+        yield finding(fact.place, key, text, help, severity=Severity.WARNING)
     uses = table_records(device)
     for record in device.records.values():
         is_setting = any(use.access != "wo" for use in uses.get(record.name, ()))
@@ -50,4 +48,4 @@ def commands_are_triggers(device: Device) -> Iterator[Diagnostic]:
             if field.access == "wo":
                 text = f"the field {field.name} of a table can only be written"
                 help = "correct the access, or allow it with a reason"
-                yield finding("commands_are_triggers", field.place, "access", text, help, severity=Severity.WARNING)
+                yield finding(field.place, "access", text, help, severity=Severity.WARNING)

@@ -12,38 +12,32 @@ another type.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.value import Conversion, Signal
 
-_CODE = "conversions_match_signals"
 _SHARE = "%"
 
 
-def conversions_match_signals(device: Device) -> Iterator[Diagnostic]:
+def conversions_match_signals(device: Device) -> Findings:
     for conversion in device.conversions.values():
         if not conversion.type.low <= conversion.full_scale <= conversion.type.high:
             text = f"the full scale of {conversion.name} is {conversion.full_scale:#x}, which does not fit"
             text += f" {conversion.type.name}"
-            yield finding(_CODE, conversion.place, "full_scale", text, "correct the full scale or the type")
+            yield finding(conversion.place, "full_scale", text, "correct the full scale or the type")
         for name in conversion.signals:
             signal = device.signals.get(name)
             if signal is not None:
                 yield from _compare_scales(conversion, signal)
 
 
-def _compare_scales(conversion: Conversion, signal: Signal) -> Iterator[Diagnostic]:
+def _compare_scales(conversion: Conversion, signal: Signal) -> Findings:
     if signal.value.type is not conversion.type:
         text = f"{signal.name} is {signal.value.type.name}, but {conversion.name} is for {conversion.type.name}"
         related_label = label(signal.place, "type", signal.name)
-        yield finding(
-            _CODE, conversion.place, "signals", text, "add a separate conversion for the signal", related_label
-        )
+        yield finding(conversion.place, "signals", text, "add a separate conversion for the signal", related_label)
     whole = signal.value.in_unit(conversion.full_scale)
     if signal.value.unit == _SHARE and whole != 100:
         text = f"{conversion.full_scale:#x} is {whole.normalize():f} % of {signal.name}, not 100 %"
         related_label = label(signal.place, "scale", "the scale of the signal")
-        yield finding(_CODE, conversion.place, "full_scale", text, "correct the full scale or the scale", related_label)
+        yield finding(conversion.place, "full_scale", text, "correct the full scale or the scale", related_label)

@@ -14,24 +14,22 @@ register or on its group.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import finding, hexadecimal, label
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register, RegisterGroup
 
-_CODE = "copies_agree"
 
-
-def copies_agree(device: Device) -> Iterator[Diagnostic]:
+def copies_agree(device: Device) -> Findings:
     registers = {register.name: register for register in device.registers()}
     for group in device.groups:
         yield from _of_group(group, registers, device.space(group.space).first_number)
 
 
-def _of_group(group: RegisterGroup, registers: Mapping[str, Register], first_number: int) -> Iterator[Diagnostic]:
+def _of_group(group: RegisterGroup, registers: Mapping[str, Register], first_number: int) -> Findings:
     pairs = [(row, registers[row.copy_of]) for row in group.registers if row.copy_of in registers]
     if not pairs:
         return
@@ -48,7 +46,7 @@ def _of_group(group: RegisterGroup, registers: Mapping[str, Register], first_num
         yield from _printed(row, original)
 
 
-def _printed(row: Register, original: Register) -> Iterator[Diagnostic]:
+def _printed(row: Register, original: Register) -> Findings:
     words = original.words or original.width
     if row.words is not None and row.words != words:
         text = f"{row.name} is printed with {plural(row.words, 'word')}, but {original.name} has {words}"
@@ -61,4 +59,4 @@ def _printed(row: Register, original: Register) -> Iterator[Diagnostic]:
 
 
 def _finding(row: Register, original: Register, key: str, text: str, help: str) -> Diagnostic:
-    return finding(_CODE, row.place, key, text, help, label(original.place, key, f"in {original.name}"))
+    return finding(row.place, key, text, help, label(original.place, key, f"in {original.name}"))

@@ -12,25 +12,20 @@ always the same, state only `count`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.checks.numbers import number_objection
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register, Table
 
-_CODE = "counts_apply"
 
-
-def counts_apply(device: Device) -> Iterator[Diagnostic]:
+def counts_apply(device: Device) -> Findings:
     for table in device.tables.values():
         register = device.register(table.count_by) if table.count_by else None
         wrong = _no_count(device, table, register) if register is not None else ""
         if register is not None and wrong:
             text = f"{register.name} cannot be the number of elements of {table.name}: {wrong}"
             help = "name the register with the number of elements, or correct that register"
-            yield finding(_CODE, table.place, "count_by", text, help, label(register.place, "name", "the register"))
+            yield finding(table.place, "count_by", text, help, label(register.place, "name", "the register"))
 
 
 def _no_count(device: Device, table: Table, register: Register) -> str:

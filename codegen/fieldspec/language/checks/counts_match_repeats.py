@@ -11,15 +11,13 @@ Fix: Correct the range of the number or the repetitions. If the device sends few
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.accesses_fit_space import spaces_of_bits
-from fieldspec.language.checks.finding import finding, label, range_key
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 
 
-def counts_match_repeats(device: Device) -> Iterator[Diagnostic]:
+def counts_match_repeats(device: Device) -> Findings:
     of_bits = spaces_of_bits(device)  # whose unit is wrong, and then all counts are
     for message in device.messages.values():
         access = device.register_access(message)
@@ -37,6 +35,4 @@ def counts_match_repeats(device: Device) -> Iterator[Diagnostic]:
             text = f"{message.name} is for {ranges.text()} {unit}s, but {values.name} has {repeat.text()} elements"
             related_label = label(count.place, range_key(count.place), f"the range of {count.name}")
             help = "correct the range or the repetitions, or allow it with a reason"
-            yield finding(
-                "counts_match_repeats", values.place, "repeat", text, help, related_label, severity=Severity.WARNING
-            )
+            yield finding(values.place, "repeat", text, help, related_label, severity=Severity.WARNING)

@@ -11,16 +11,11 @@ erratum with `printed: {allow: ~}`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 
-_CODE = "counts_within_numbers"
 
-
-def counts_within_numbers(device: Device) -> Iterator[Diagnostic]:
+def counts_within_numbers(device: Device) -> Findings:
     for message in device.messages.values():
         fields = {field.name: field for field in message.request.fields}
         for name, first in fields.items():
@@ -33,4 +28,4 @@ def counts_within_numbers(device: Device) -> Iterator[Diagnostic]:
                 text = f"{first.name} and {count.name} of {message.name} reach {last}, "
                 text += f"but the last number is {starts.high}"
                 help = "narrow a range, or allow it with what the manual leaves open, and write an erratum"
-                yield finding(_CODE, count.place, "range", text, help, label(first.place, "range", "the first one"))
+                yield finding(count.place, "range", text, help, label(first.place, "range", "the first one"))

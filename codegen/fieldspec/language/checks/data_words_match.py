@@ -10,16 +10,13 @@ Fix: Correct a field or the number, and write an erratum.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.sizes import RecordSizes
 
 
-def data_words_match(device: Device) -> Iterator[Diagnostic]:
+def data_words_match(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for message in device.messages.values():
         for direction, printed, data in (
@@ -32,7 +29,6 @@ def data_words_match(device: Device) -> Iterator[Diagnostic]:
             actual = plural(bounds[0], "byte") if bounds[0] == bounds[1] else f"{bounds[0]} to {bounds[1]} bytes"
             text = f"the {direction} of {message.name} is printed with {plural(printed, 'word')}, but it has {actual}"
             yield finding(
-                "data_words_match",
                 message.place,
                 "data_words",
                 text,

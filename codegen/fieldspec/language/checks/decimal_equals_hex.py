@@ -10,30 +10,24 @@ Fix: Use the neighbouring rows to decide which number is correct, and write an e
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, hexadecimal, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 
 
-def decimal_equals_hex(device: Device) -> Iterator[Diagnostic]:
+def decimal_equals_hex(device: Device) -> Findings:
     for register in device.registers():
         yield from _compare_addresses(device, register, register.space, "at", register.address, register.decimal)
     for table in device.tables.values():
         yield from _compare_addresses(device, table, table.space, "base", table.base, table.decimal)
 
 
-def _compare_addresses(
-    device: Device, fact: Fact, space: str, key: str, address: int, decimal: int | None
-) -> Iterator[Diagnostic]:
+def _compare_addresses(device: Device, fact: Fact, space: str, key: str, address: int, decimal: int | None) -> Findings:
     name, place, first = fact.name, fact.place, device.space(space).first_number
     if decimal is None or decimal == first + address:
         return
     if first:
         yield finding(
-            "decimal_equals_hex",
             place,
             "decimal",
             f"{decimal} is the number of {hexadecimal(decimal - first)}, but {name} is at {hexadecimal(address)}",
@@ -42,7 +36,6 @@ def _compare_addresses(
         )
     else:
         yield finding(
-            "decimal_equals_hex",
             place,
             "decimal",
             f"{decimal} is {hexadecimal(decimal)}, but {name} is at {hexadecimal(address)}",

@@ -12,54 +12,51 @@ it under `sentinels`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from functools import partial
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.checks.finding import default_key, finding, label, range_key
+from fieldspec.language.checks.finding import Findings, default_key, finding, label, range_key
 from fieldspec.language.checks.numbers import Legal
 from fieldspec.language.checks.settled import of_values, of_words
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, is_real
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 
-_CODE = "default_within_range"
 _DECIMAL = re.compile(r"-?\d+\.\d+")
 
 
-def default_within_range(device: Device) -> Iterator[Diagnostic]:
+def default_within_range(device: Device) -> Findings:
     legal = Legal(device)
     yield from of_values(device, partial(_of_value, device, legal))
     yield from of_words(device, partial(_of_word, legal))
 
 
-def _of_word(legal: Legal, word: Flags) -> Iterator[Diagnostic]:
+def _of_word(legal: Legal, word: Flags) -> Findings:
     for bit in word.bits:
         reason = "" if bit.default is None else legal.objection(bit.as_value, bit.default)
         if reason:
             text = f"the default of {bit.name} is {bit.default}, which {reason}"
             labels = (label(bit.place, range_key(bit.place), "the range"),) if bit.ranges else ()
-            yield finding(_CODE, bit.place, default_key(bit.place), text, "correct one of them", *labels)
+            yield finding(bit.place, default_key(bit.place), text, "correct one of them", *labels)
 
 
-def _of_value(device: Device, legal: Legal, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(device: Device, legal: Legal, fact: Fact, value: Value) -> Findings:
     if value.default is None:
         return
     key = default_key(fact.place)
     wrong = _wrong_form(device, value, value.default)
     if wrong:
         text, help = wrong
-        yield finding(_CODE, fact.place, key, f"the default of {fact.name} is {text}", help)
+        yield finding(fact.place, key, f"the default of {fact.name} is {text}", help)
         return
     reason = _outside(value, value.default) if isinstance(value.default, str) else legal.objection(value, value.default)
     if reason:
         text = f"the default of {fact.name} is {value.default}, which {reason}"
         help = "correct one of them, or list the value under `sentinels`"
         labels = (label(fact.place, range_key(fact.place), "the range"),) if value.ranges else ()
-        yield finding(_CODE, fact.place, key, text, help, *labels)
+        yield finding(fact.place, key, text, help, *labels)
 
 
 def _wrong_form(device: Device, value: Value, default: int | str) -> tuple[str, str] | None:

@@ -12,17 +12,15 @@ controller, state `allow: {defaults_writable: <reason>}`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import default_key, finding, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, default_key, finding, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import Parameter, Register
 from fieldspec.language.model.table_records import table_records
 
 
-def defaults_writable(device: Device) -> Iterator[Diagnostic]:
+def defaults_writable(device: Device) -> Findings:
     settings: list[Register | Parameter | Field] = [register for register in device.registers() if not register.copy_of]
     settings += [parameter for parameters in device.parameters.values() for parameter in parameters.parameters]
     uses = table_records(device)
@@ -33,13 +31,9 @@ def defaults_writable(device: Device) -> Iterator[Diagnostic]:
             text = f"a change of {fact.name} needs a restart, and it can only be read"
             related_label = label(fact.place, "restart", "what changes need")
             help = "correct the access, or remove `restart`"
-            yield finding(
-                "defaults_writable", fact.place, "access", text, help, related_label, severity=Severity.WARNING
-            )
+            yield finding(fact.place, "access", text, help, related_label, severity=Severity.WARNING)
         elif fact.access == "ro" and fact.value is not None and fact.value.default is not None:
             text = f"{fact.name} has a default, and can only be read"
             related_label = label(fact.place, default_key(fact.place), "its value at delivery")
             help = "correct the access, or remove the default"
-            yield finding(
-                "defaults_writable", fact.place, "access", text, help, related_label, severity=Severity.WARNING
-            )
+            yield finding(fact.place, "access", text, help, related_label, severity=Severity.WARNING)

@@ -16,8 +16,8 @@ import re
 from collections.abc import Iterable, Iterator
 
 from fieldspec.language.checks.facts import lists
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 
@@ -25,7 +25,7 @@ _KEYS = ("doc", "problem")
 _NUMBER = re.compile(r"[0-9]+")
 
 
-def descriptions_differ(device: Device) -> Iterator[Diagnostic]:
+def descriptions_differ(device: Device) -> Findings:
     for rows in _families(device):
         described_rows = [row for row in rows if row.name and not getattr(row, "reserved", False)]
         for key in _KEYS:
@@ -41,14 +41,13 @@ def _families(device: Device) -> Iterator[Iterable[Fact]]:
         yield enum.members
 
 
-def _of_key(rows: Iterable[Fact], key: str) -> Iterator[Diagnostic]:
+def _of_key(rows: Iterable[Fact], key: str) -> Findings:
     first: dict[str, Fact] = {}
     for row in rows:
         text = getattr(row, key, "")
         other = first.setdefault(text, row) if text else row
         if other is not row and _NUMBER.sub("", other.name) != _NUMBER.sub("", row.name):
             yield finding(
-                "descriptions_differ",
                 row.place,
                 key,
                 f"{other.name} and {row.name} have the same description",

@@ -15,32 +15,30 @@ without such a value, omit `detected_by`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Detection, Device, VersionLine
 from fieldspec.language.model.encoding import is_count, is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 
-_CODE = "detections_apply"
 _EARLIER = "before-"
 _DECIMAL = re.compile("[0-9]{1,9}")
 _HEXADECIMAL = re.compile("[0-9A-F]{1,9}")
 _HELP = "correct `form` and `places`, write the version with the same number of digits, or add `detected_as`"
 
 
-def detections_apply(device: Device) -> Iterator[Diagnostic]:
+def detections_apply(device: Device) -> Findings:
     for line in device.lines:
         detection = line.detected_by
         if detection is not None:
             yield from _of_detection(device, line, detection)
         elif any(version.detected_as for version in line.versions):
             text = f"no value identifies the version of {line.name}, so `detected_as` does not apply"
-            yield finding(_CODE, device.place, "id", text, "state `detected_by` in the line, or remove `detected_as`")
+            yield finding(device.place, "id", text, "state `detected_by` in the line, or remove `detected_as`")
     chosen = device.detection
     for line in device.lines:
         own = line.detected_by or (chosen if line.builds or line.like else None)
@@ -53,10 +51,10 @@ def detections_apply(device: Device) -> Iterator[Diagnostic]:
         if (other.fact, other.form, other.places) != (chosen.fact, chosen.form, chosen.places):
             text = "lines with outputs have their versions in different values"
             related_label = label(chosen.place, "fact", "another one")
-            yield finding(_CODE, other.place, "fact", text, "state one of them for all lines", related_label)
+            yield finding(other.place, "fact", text, "state one of them for all lines", related_label)
 
 
-def _of_detection(device: Device, line: VersionLine, detection: Detection) -> Iterator[Diagnostic]:
+def _of_detection(device: Device, line: VersionLine, detection: Detection) -> Findings:
     fact = _fact(device, detection)
     if fact is None:
         return
@@ -64,39 +62,37 @@ def _of_detection(device: Device, line: VersionLine, detection: Detection) -> It
     is_request = getattr(fact, "access", "") == "wo" or "/request/" in detection.fact
     if not isinstance(value, Value) or not (is_count(value.encoding) or is_text(value.encoding)):
         text = f"{detection.fact} is neither a whole number nor a text"
-        yield finding(_CODE, detection.place, "fact", text, "name the value that identifies the version")
+        yield finding(detection.place, "fact", text, "name the value that identifies the version")
         return
     if is_request:
         text = f"{detection.fact} cannot be read"
-        yield finding(_CODE, detection.place, "fact", text, "name a value that the device sends")
+        yield finding(detection.place, "fact", text, "name a value that the device sends")
     elif getattr(fact, "access", "") == "rw":
         text = f"{detection.fact} can be written, so it seldom identifies the version"
         help = (
             "name the value of the firmware, or correct the access; if it does, allow this with a reason at the value"
         )
         related_label = label(fact.place, "access", "its access")
-        yield finding(_CODE, detection.place, "fact", text, help, related_label, severity=Severity.WARNING)
+        yield finding(detection.place, "fact", text, help, related_label, severity=Severity.WARNING)
     number = is_count(value.encoding)
     if detection.form and not number:
         text = f"{detection.fact} is a text, which is the version itself"
-        yield finding(_CODE, detection.place, "form", text, "remove it")
+        yield finding(detection.place, "form", text, "remove it")
     if detection.places and detection.form not in ("decimal", "hexadecimal"):
         text = "only `form: decimal` and `form: hexadecimal` have places after the point"
-        yield finding(_CODE, detection.place, "places", text, "state the form, or remove it")
+        yield finding(detection.place, "places", text, "state the form, or remove it")
     first: dict[int | str, str] = {}
     for version in line.versions:
         for item in version.detected_as:
             if isinstance(item, int) is not number or (isinstance(item, int) and not _holds(value, item)):
                 text = f"{detection.fact} cannot be {item}, which must identify {version.id}"
-                yield finding(_CODE, detection.place, "fact", text, f"correct `detected_as` of {version.id}")
+                yield finding(detection.place, "fact", text, f"correct `detected_as` of {version.id}")
             elif other := _read_as(detection, item, [v.id for v in line.versions if v is not version]):
                 text = f"{item} tells {version.id}, and is {other} in the form {detection.form}"
-                yield finding(
-                    _CODE, detection.place, "form", text, f"correct `detected_as` of {version.id}, or the form"
-                )
+                yield finding(detection.place, "form", text, f"correct `detected_as` of {version.id}, or the form")
             elif first.setdefault(item, version.id) != version.id:
                 text = f"{item} tells both {first[item]} and {version.id}"
-                yield finding(_CODE, detection.place, "fact", text, "correct `detected_as` of one of them")
+                yield finding(detection.place, "fact", text, "correct `detected_as` of one of them")
 
 
 def _read_as(detection: Detection, item: int | str, other_versions: list[str]) -> str:
@@ -113,7 +109,7 @@ def _fact(device: Device, detection: Detection) -> Fact | None:
     return next((fact for fact in facts(device) if fact.place.path == detection.fact), None)
 
 
-def _unrepresented(device: Device, line: VersionLine, detection: Detection) -> Iterator[Diagnostic]:
+def _unrepresented(device: Device, line: VersionLine, detection: Detection) -> Findings:
     """The versions that no number of the value stands for, where a form says how numbers are read."""
     value = getattr(_fact(device, detection), "value", None)
     if not isinstance(value, Value) or not is_count(value.encoding) or not detection.form:
@@ -124,10 +120,10 @@ def _unrepresented(device: Device, line: VersionLine, detection: Detection) -> I
         bound = version.id.removeprefix(_EARLIER)
         number = _number_of(bound, detection, value.size)
         if isinstance(number, str):
-            yield finding(_CODE, detection.place, "form", f"no number tells {version.id}: {number}", _HELP)
+            yield finding(detection.place, "form", f"no number tells {version.id}: {number}", _HELP)
         elif bound == version.id and not _holds(value, number):
             text = f"{detection.fact} cannot be {number}, which must identify {version.id}"
-            yield finding(_CODE, detection.place, "fact", text, _HELP)
+            yield finding(detection.place, "fact", text, _HELP)
 
 
 def _number_of(version: str, detection: Detection, size: int) -> int | str:

@@ -16,13 +16,12 @@ number as a binary one: its bytes become the hexadecimal digits.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import chain
 
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.checks.facts import layers, values
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import NIBBLES, NO_CHARACTERS, digit_bounds, digit_count, digits_text
@@ -34,12 +33,11 @@ from fieldspec.language.model.record import Field, Message, RegisterAccess
 from fieldspec.language.model.sizes import messages_on
 from fieldspec.language.model.value import Value
 
-_CODE = "digits_fit"
 _MOST_BYTES = 8
 """The bytes of the greatest number in BCD that outputs take apart."""
 
 
-def digits_fit(device: Device) -> Iterator[Diagnostic]:
+def digits_fit(device: Device) -> Findings:
     binary_uses = _binary_fields(device)
     for link in device.links.values():
         yield from _sent_twice(device, link)
@@ -47,7 +45,7 @@ def digits_fit(device: Device) -> Iterator[Diagnostic]:
         if not value.digits:
             if value.places:
                 text = f"{fact.name} is not sent as digits, so that no place follows a point"
-                yield finding(_CODE, fact.place, "places", text, "add `digits: decimal`, or use `scale`")
+                yield finding(fact.place, "places", text, "add `digits: decimal`, or use `scale`")
             continue
         yield from _of_form(fact, value)
         yield from _of_padding(fact, value)
@@ -57,13 +55,7 @@ def digits_fit(device: Device) -> Iterator[Diagnostic]:
         use = binary_uses.get(id(fact)) or _use(fact, value)
         if use:
             text = f"{fact.name} {use}, and is sent {'by a codec' if value.codec else 'as digits'}"
-            yield finding(
-                _CODE,
-                fact.place,
-                "codec" if value.codec else "digits",
-                text,
-                _binary_form(fact),
-            )
+            yield finding(fact.place, "codec" if value.codec else "digits", text, _binary_form(fact))
 
 
 def _binary_form(fact: Fact) -> str:
@@ -72,7 +64,7 @@ def _binary_form(fact: Fact) -> str:
     return "state it as a binary number, or as the bytes of its characters"
 
 
-def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _sent_twice(device: Device, link: Link) -> Findings:
     """The first digits on a link that sends every byte as two characters."""
     if link.transmission != "hex_ascii":
         return
@@ -84,11 +76,11 @@ def _sent_twice(device: Device, link: Link) -> Iterator[Diagnostic]:
             text = f"{fact.name} is sent as digits, each of which takes two characters on {link.name}"
             help = "state it as a binary number, whose bytes are hexadecimal digits there, or remove `transmission`"
             related_label = label(link.place, "transmission", "sends every byte as two characters")
-            yield finding(_CODE, fact.place, "digits", text, help, related_label, severity=Severity.WARNING)
+            yield finding(fact.place, "digits", text, help, related_label, severity=Severity.WARNING)
             return
 
 
-def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_form(fact: Fact, value: Value) -> Findings:
     """The findings of the form of the digits, the first one of each value."""
     kind = value.type
     if isinstance(fact, Part) and (not is_count(kind.encoding) or is_signed(kind.encoding)):
@@ -97,41 +89,39 @@ def _of_form(fact: Fact, value: Value) -> Iterator[Diagnostic]:
         yield from _of_codec(fact, value)
     elif not _has_digits(kind):
         text = f"{fact.name} is {kind.name}, but digits need a whole number of 8, 16, 32 or 64 bits"
-        yield finding(_CODE, fact.place, "digits", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64")
+        yield finding(fact.place, "digits", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64")
     elif value.places and value.digits != "decimal":
         text = f"{fact.name} has {value.places} places, which only decimal digits have"
-        yield finding(_CODE, fact.place, "places", text, "remove it, or use `digits: decimal`")
+        yield finding(fact.place, "places", text, "remove it, or use `digits: decimal`")
     elif value.digits in NIBBLES and value.size > _MOST_BYTES:
         text = f"{fact.name} is {kind.name} in {value.size} bytes; BCD has at most {_MOST_BYTES} bytes"
-        yield finding(_CODE, fact.place, "digits", text, "state the parts as values of their own")
+        yield finding(fact.place, "digits", text, "state the parts as values of their own")
     elif value.is_low_first and (value.size % 2 or value.width):
         text = f"{fact.name} begins with the digits of its low byte, but has no fixed number of whole bytes"
-        yield finding(_CODE, fact.place, "length", text, "state two digits for each byte, without `varies`")
+        yield finding(fact.place, "length", text, "state two digits for each byte, without `varies`")
     elif digit_count(value) <= value.places:
         text = f"{fact.name} has no room for a digit in {value.size} bytes"
-        yield finding(_CODE, fact.place, "length", text, "count the sign, the point and all digits")
+        yield finding(fact.place, "length", text, "count the sign, the point and all digits")
     elif is_signed(kind.encoding) and value.digits.endswith("hex") and digit_count(value) != 2 * kind.size:
         text = f"{fact.name} is {kind.name}, which has {2 * kind.size} hexadecimal digits and not {value.size}"
-        yield finding(_CODE, fact.place, "length", text, "use the type with the same number of digits")
+        yield finding(fact.place, "length", text, "use the type with the same number of digits")
     elif value.width and value.const is not None:
         text = f"{fact.name} is a constant, whose digits do not vary"
-        yield finding(_CODE, fact.place, "varies", text, "remove it, and count the digits in `length`")
+        yield finding(fact.place, "varies", text, "remove it, and count the digits in `length`")
     elif digit_bounds(value)[1] > kind.high:
         text = f"{fact.name} is {kind.name}, which does not hold {digit_bounds(value)[1]}: {digits_text(value)}"
-        yield finding(_CODE, fact.place, "type", text, _wider(fact, value))
+        yield finding(fact.place, "type", text, _wider(fact, value))
 
 
-def _of_codec(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_codec(fact: Fact, value: Value) -> Findings:
     """The finding of a number of a codec that its type does not have, or that has no digits to vary."""
     low, high = digit_bounds(value)
     if not _has_digits(value.type) or low < value.type.low or high > value.type.high:
         text = f"{fact.name} is {value.type.name}, and the codec {value.codec} has whole numbers from {low} to {high}"
-        yield finding(
-            _CODE, fact.place, "type", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64 that has all"
-        )
+        yield finding(fact.place, "type", text, "use one of u8, i8, u16, i16, u32, i32, u64 and i64 that has all")
     elif value.places or value.width:
         text = f"{fact.name} is sent by the codec {value.codec}, which has no digits"
-        yield finding(_CODE, fact.place, "places" if value.places else "varies", text, "remove it, or use `digits`")
+        yield finding(fact.place, "places" if value.places else "varies", text, "remove it, or use `digits`")
 
 
 def _has_digits(primitive: Primitive) -> bool:
@@ -148,7 +138,7 @@ def _has_digits(primitive: Primitive) -> bool:
             assert_never(encoding)
 
 
-def _of_padding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_padding(fact: Fact, value: Value) -> Findings:
     """The finding of blanks where no leading zeros are, and of zeros, which are there anyway."""
     if isinstance(fact, Part):
         return  # it has no such key, which reading says
@@ -164,7 +154,7 @@ def _of_padding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     else:
         text = f"{fact.name} is sent as decimal digits, which have leading zeros where `padding` is left out"
         help = "remove it, or use `padding: space`"
-    yield finding(_CODE, fact.place, "padding", text, help)
+    yield finding(fact.place, "padding", text, help)
 
 
 def _wider(fact: Fact, value: Value) -> str:
@@ -178,14 +168,14 @@ def _wider(fact: Fact, value: Value) -> str:
     return f"use `{'i' if signed else 'u'}{bits}`, with a range"
 
 
-def _of_part(part: Part, value: Value) -> Iterator[Diagnostic]:
+def _of_part(part: Part, value: Value) -> Findings:
     """The findings of a part of a frame, whose digits have no sign and are bytes of their own."""
     if part.role == "plain" and is_count(value.encoding) and is_signed(value.encoding):
         text = f"the part {part.name} is {value.type.name}, and the digits of a part have no sign"
-        yield finding(_CODE, part.place, "type", text, "use an unsigned type")
+        yield finding(part.place, "type", text, "use an unsigned type")
     if part.bits is not None:
         text = f"{part.name} is sent as digits, which the bits of an identifier are not"
-        yield finding(_CODE, part.place, "digits", text, "remove `digits` and `length`")
+        yield finding(part.place, "digits", text, "remove `digits` and `length`")
 
 
 def _use(fact: Fact, value: Value) -> str:

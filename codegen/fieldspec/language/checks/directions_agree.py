@@ -12,21 +12,18 @@ the part of the response.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.sizes import messages_on, part_size
 
-_CODE = "directions_agree"
 _COMPUTED = ("length", "checksum")
 _HELP = "correct one of them, or allow this with a reason"
 
 
-def directions_agree(device: Device) -> Iterator[Diagnostic]:
+def directions_agree(device: Device) -> Findings:
     for link in device.links.values():
         parts = link.request, link.response
         names = [[(part.name, part_size(part)) for part in own] for own in parts]
@@ -43,14 +40,14 @@ def directions_agree(device: Device) -> Iterator[Diagnostic]:
             yield from _roles(link, *differing[0])
 
 
-def _roles(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]:
+def _roles(link: Link, request: Part, response: Part) -> Findings:
     """The finding of a part that is computed in one direction, and a number that users state in the other one."""
     for own, other, direction in ((request, response, "request"), (response, request, "response")):
         if own.role in _COMPUTED and _is_stated(other):
             text = f"{own.name} is a {own.role} only in each {direction} on {link.name}; "
             text += "users state it in the other direction"
             related_label = label(own.place, "role", f"the role in each {direction}")
-            yield finding(_CODE, other.place, "name", text, _HELP, related_label, severity=Severity.WARNING)
+            yield finding(other.place, "name", text, _HELP, related_label, severity=Severity.WARNING)
 
 
 def _is_stated(part: Part) -> bool:
@@ -61,7 +58,7 @@ def _is_stated(part: Part) -> bool:
     return value.const is None and not value.enum and not value.flags and not value.scaled and not value.unit
 
 
-def _computed(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]:
+def _computed(link: Link, request: Part, response: Part) -> Findings:
     """The finding of a part that is computed in two ways, which differ in one key."""
     if request.role not in _COMPUTED:
         return
@@ -72,7 +69,7 @@ def _computed(link: Link, request: Part, response: Part) -> Iterator[Diagnostic]
         text = f"{request.name} of requests and of responses on {link.name} differ in `{key}`"
         related_label = label(request.place, key if key in request.place else "name", "the part of requests")
         response_key = key if key in response.place else "name"
-        yield finding(_CODE, response.place, response_key, text, _HELP, related_label, severity=Severity.WARNING)
+        yield finding(response.place, response_key, text, _HELP, related_label, severity=Severity.WARNING)
 
 
 def _keys(part: Part) -> dict[str, object]:

@@ -13,10 +13,8 @@ manual should have the row. If the numbers are intentionally not consecutive, wr
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import enumeration, finding, interval, label, missing
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding, interval, label, missing
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum
 from fieldspec.language.model.ranges import Ranges
@@ -26,7 +24,7 @@ _FEWEST_MASKS = 4
 _INTERVAL = re.compile(r"(-?(?:0x[0-9A-Fa-f]+|[0-9]+))(?:\.\.(-?(?:0x[0-9A-Fa-f]+|[0-9]+)))?")
 
 
-def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
+def enum_contiguous(device: Device) -> Findings:
     for enum in device.enums.values():
         values = [member.value for member in enum.members]
         if not values or enum.derived:
@@ -34,20 +32,18 @@ def enum_contiguous(device: Device) -> Iterator[Diagnostic]:
         if enum.sparse:
             if enum.gaps:
                 text = f"{enum.name} is sparse, so it has no list of gaps"
-                yield finding("enum_contiguous", enum.place, "gaps", text, "remove `gaps`, or `sparse`")
+                yield finding(enum.place, "gaps", text, "remove `gaps`, or `sparse`")
             continue
         declared = _declared(enum)
         if declared is None:
             text = f"`{enum.gaps.partition(':')[0]}` is not a list of values"
-            yield finding("enum_contiguous", enum.place, "gaps", text, "write it like `16, 20..23: the reason`")
+            yield finding(enum.place, "gaps", text, "write it like `16, 20..23: the reason`")
             continue
         span = Ranges(((min(values), max(values)),))
         for low, high in declared:
             if low > high or low < span.low or high > span.high or any(low <= value <= high for value in values):
                 text = f"the gap {interval(low, high)} of {enum.name} contains a member, or is outside the list"
-                yield finding(
-                    "enum_contiguous", enum.place, "gaps", text, "name the values that are missing from the list"
-                )
+                yield finding(enum.place, "gaps", text, "name the values that are missing from the list")
                 break
         if _are_masks(values):
             continue
@@ -61,12 +57,11 @@ def _are_masks(values: list[int]) -> bool:
     return len(bits) >= _FEWEST_MASKS and all(value > 0 and value & (value - 1) == 0 for value in bits)
 
 
-def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[int, int], ...]) -> Iterator[Diagnostic]:
+def _holes(enum: Enum, span: Ranges, values: list[int], declared: tuple[tuple[int, int], ...]) -> Findings:
     left = [hole for hole in missing(span, values) if not _covered(hole, declared)]
     if left:
         next_member = min((m for m in enum.members if m.value > left[0][1]), key=lambda member: member.value)
         yield finding(
-            "enum_contiguous",
             enum.place,
             "gaps" if enum.gaps else "name",
             f"{enum.name} does not list {enumeration([interval(*hole) for hole in left])}",

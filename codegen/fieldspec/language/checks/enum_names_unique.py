@@ -10,17 +10,14 @@ Fix: Find out what the second member is, name it accordingly, and write an errat
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum, Member
 
 _KEYS = ("name", "printed_name", "label")
 
 
-def enum_names_unique(device: Device) -> Iterator[Diagnostic]:
+def enum_names_unique(device: Device) -> Findings:
     for enum in device.enums.values():
         # What the members of another list are called is looked at there.
         for key in ("name",) if enum.derived else _KEYS:
@@ -28,7 +25,7 @@ def enum_names_unique(device: Device) -> Iterator[Diagnostic]:
         yield from _of_aliases(enum)
 
 
-def _of_aliases(enum: Enum) -> Iterator[Diagnostic]:
+def _of_aliases(enum: Enum) -> Findings:
     """Aliases that are also the name of a member, or an alias of another one."""
     members_by_name = {member.name: member for member in enum.members}
     for member in enum.members:
@@ -38,10 +35,10 @@ def _of_aliases(enum: Enum) -> Iterator[Diagnostic]:
                 text = f"the alias `{alias}` of {member.name} is already a name of {other.name}"
                 related_label = label(other.place, "name", f"the value {other.value}")
                 help = "remove it from one of them"
-                yield finding("enum_names_unique", member.place, "aliases", text, help, related_label)
+                yield finding(member.place, "aliases", text, help, related_label)
 
 
-def _of_key(enum: Enum, key: str) -> Iterator[Diagnostic]:
+def _of_key(enum: Enum, key: str) -> Findings:
     first: dict[str, Member] = {}
     for member in enum.members:
         text = getattr(member, key)
@@ -50,7 +47,6 @@ def _of_key(enum: Enum, key: str) -> Iterator[Diagnostic]:
         other = first.setdefault(text, member)
         if other is not member:
             yield finding(
-                "enum_names_unique",
                 member.place,
                 key,
                 f"{other.value} and {member.value} of {enum.name} have the same {_WORDS[key]}, `{text}`",

@@ -10,22 +10,18 @@ the member with the preferred name, and list the other name under its `aliases`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Member
 
 
-def enum_values_unique(device: Device) -> Iterator[Diagnostic]:
+def enum_values_unique(device: Device) -> Findings:
     for enum in device.enums.values():
         first: dict[int, Member] = {}
         for member in enum.members:
             other = first.setdefault(member.value, member)
             if other is not member:
                 yield finding(
-                    "enum_values_unique",
                     member.place,
                     "value",
                     f"{enum.name} has the value {member.value} twice, as {other.name} and as {member.name}",

@@ -10,11 +10,10 @@ range.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import partial
 
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import enumeration, finding, label, range_key
+from fieldspec.language.checks.finding import Findings, enumeration, finding, label, range_key
 from fieldspec.language.checks.settled import of_values, of_words
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
@@ -24,12 +23,12 @@ from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
 
 
-def enum_within_range(device: Device) -> Iterator[Diagnostic]:
+def enum_within_range(device: Device) -> Findings:
     yield from of_values(device, partial(_of_value, device))
     yield from of_words(device, partial(_of_word, device))
 
 
-def _of_word(device: Device, flags: Flags) -> Iterator[Diagnostic]:
+def _of_word(device: Device, flags: Flags) -> Findings:
     for bit in flags.bits:
         enum = device.enums.get(bit.enum)
         members = enum.members if enum is not None else ()
@@ -41,7 +40,7 @@ def _of_word(device: Device, flags: Flags) -> Iterator[Diagnostic]:
                 yield _finding(bit, range_key(bit.place), bit.name, excluded)
 
 
-def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(device: Device, fact: Fact, value: Value) -> Findings:
     enum = device.enums.get(value.enum)
     if enum is not None and is_exact(value.encoding):
         excluded = [member for member in enum.members if _excluded(value, member)]
@@ -61,4 +60,4 @@ def _excluded(value: Value, member: Member) -> bool:
 def _finding(fact: Fact, key: str, subject: str, members: list[Member]) -> Diagnostic:
     text = f"{subject} cannot hold {enumeration([f'{member.name} ({member.value})' for member in members])}"
     related_label = label(members[0].place, "value", "listed here")
-    return finding("enum_within_range", fact.place, key, text, "correct the range, the type or the list", related_label)
+    return finding(fact.place, key, text, "correct the range, the type or the list", related_label)

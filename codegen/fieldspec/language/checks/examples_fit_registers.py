@@ -12,12 +12,9 @@ Fix: Correct the frame or the register, and write an erratum.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, hexadecimal, label, range_key
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label, range_key
 from fieldspec.language.checks.numbers import Legal, in_counts
 from fieldspec.language.checks.occupants import Addressed, Addresses
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.raw_numbers import orders_of
@@ -25,12 +22,11 @@ from fieldspec.language.model.record import Field, Message, RegisterAccess
 from fieldspec.language.model.registers import Register
 from fieldspec.language.model.texts import Example
 
-_CODE = "examples_fit_registers"
 _MOST_WORDS = 0x10000
 _REFUSED = {"read": "wo", "write": "ro"}
 
 
-def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
+def examples_fit_registers(device: Device) -> Findings:
     addresses = Addresses(device)
     legal = Legal(device)
     refused = {reply.reply_to for reply in device.examples.values() if reply.exception_response}
@@ -56,11 +52,11 @@ def examples_fit_registers(device: Device) -> Iterator[Diagnostic]:
 
 def _accessed(
     device: Device, addresses: Addresses, access: RegisterAccess, start: int, message: Message, example: Example
-) -> Iterator[Diagnostic]:
+) -> Findings:
     """The fault of the words that a request addresses: nothing begins there, or its access forbids it."""
     if not addresses.at(access.space, start):
         text = f"no register or field begins at {hexadecimal(start)}, which {example.id} addresses"
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the register table")
+        yield finding(example.place, "values", text, "correct the frame or the register table")
     carried = len(_data(device, message, example)) // device.space(access.space).unit_size
     count = carried or _request_count(device, message, access.count, example) or 1
     for occupant in addresses.within(access.space, start, min(count, _MOST_WORDS)):
@@ -68,12 +64,12 @@ def _accessed(
             deed = "reads" if access.operation == "read" else "writes"
             text = f"{example.id} {deed} {occupant.fact.name}, whose access is {occupant.access}"
             related_label = label(occupant.holder.place, "access", "the access")
-            yield finding(_CODE, example.place, "values", text, "correct the frame or the access", related_label)
+            yield finding(example.place, "values", text, "correct the frame or the access", related_label)
 
 
 def _valued(
     occupant: Addressed, address: int, number: int | float | None, legal: Legal, writes: bool, example: Example
-) -> Iterator[Diagnostic]:
+) -> Findings:
     """The fault of a number at an address, as it is read; a trigger may be read as any number."""
     value = occupant.value
     if value is None or (isinstance(occupant.fact, Register) and occupant.fact.trigger and not writes):
@@ -82,19 +78,19 @@ def _valued(
     if number is None:
         text = f"{name} is not {digits_text(value)} in {example.id}"
         related_label = label(occupant.fact.place, "digits", "its digits")
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the digits", related_label)
+        yield finding(example.place, "values", text, "correct the frame or the digits", related_label)
         return
     if writes and value.const is not None and number != value.const:
         text = f"{name} is {number} in {example.id}, but can only be written with {value.const}"
         related_label = label(occupant.fact.place, "const", "its constant")
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the constant", related_label)
+        yield finding(example.place, "values", text, "correct the frame or the constant", related_label)
         return
     reason = legal.objection(value, number, writes)
     if reason:
         text = f"{name} is {number} in {example.id}, which {reason}"
         key = "write_range" if writes and "write_range" in occupant.fact.place else range_key(occupant.fact.place)
         related_label = label(occupant.fact.place, key, "its permitted values")
-        yield finding(_CODE, example.place, "values", text, "correct the frame or the range", related_label)
+        yield finding(example.place, "values", text, "correct the frame or the range", related_label)
 
 
 def _request_count(device: Device, message: Message, name: str, example: Example) -> int | None:

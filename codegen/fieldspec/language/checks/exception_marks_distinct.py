@@ -13,10 +13,7 @@ instead.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label, near
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, near
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_bytes
 from fieldspec.language.model.encoding import is_count, is_signed
@@ -27,10 +24,8 @@ from fieldspec.language.model.sizes import RecordSizes, messages_on
 from fieldspec.language.model.subcodes import Place, constant_at
 from fieldspec.language.model.value import Value
 
-_CODE = "exception_marks_distinct"
 
-
-def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
+def exception_marks_distinct(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for link in device.links.values():
         error = link.exception_response
@@ -39,29 +34,27 @@ def exception_marks_distinct(device: Device) -> Iterator[Diagnostic]:
             continue
         if any(part.role == "code" for part in link.response):
             text = f"responses on {link.name} carry a code, so that no field of {error.record} marks exceptions"
-            yield finding(_CODE, link.place, "exception_response", text, "state `flag`, `code` or `part` instead")
+            yield finding(link.place, "exception_response", text, "state `flag`, `code` or `part` instead")
             continue
         field = record.named(error.field)
         if field is None:
             text = f"{record.name} has no field {error.field}"
             help = near(error.field, [other.name for other in record.fields])
-            yield finding(_CODE, link.place, "exception_response", text, help, label(record.place, "name", record.name))
+            yield finding(link.place, "exception_response", text, help, label(record.place, "name", record.name))
             continue
         offset = next((start for other, start in sizes.offsets(record) if other is field), None)
         constant = constant_at(field, offset, device.byte_order, device.word_order) if offset is not None else None
         if constant is None:
             text = f"{record.name}/{field.name} marks exception responses, but it is not a constant at a fixed place"
             help = "give it a whole number of up to eight bytes as `const`, with fields of fixed size before it"
-            yield finding(_CODE, field.place, "name", text, help, label(link.place, "exception_response", link.name))
+            yield finding(field.place, "name", text, help, label(link.place, "exception_response", link.name))
             continue
         for message in messages_on(device, link):
             if message.is_answered_on(link.name):
                 yield from _apart(device, sizes, link, message, *constant)
 
 
-def _apart(
-    device: Device, sizes: RecordSizes, link: Link, message: Message, place: Place, number: int
-) -> Iterator[Diagnostic]:
+def _apart(device: Device, sizes: RecordSizes, link: Link, message: Message, place: Place, number: int) -> Findings:
     """Whether the bytes at an offset of the response of a message never equal a number."""
     offset, size, order = place
     mark = number.to_bytes(size, "little" if order == "little" else "big")
@@ -79,7 +72,7 @@ def _apart(
             )
             help = "give the field another `const`, an enum that is not open, or a range without this number"
             related_label = label(link.place, "exception_response", "exception responses")
-            yield finding(_CODE, first.place, "name", text, help, related_label)
+            yield finding(first.place, "name", text, help, related_label)
             break
 
 

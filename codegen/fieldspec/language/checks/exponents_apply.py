@@ -15,12 +15,11 @@ bounds of the scaled value in counts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.checks.inferred_keys_present import has_key
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.access import readable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
@@ -30,11 +29,10 @@ from fieldspec.language.model.registers import Register, Table
 from fieldspec.language.model.table_records import table_records
 from fieldspec.language.model.value import MOST_PLACES, Value
 
-_CODE = "exponents_apply"
 _OWN = ("scale", "offset", "enum", "flags", "const", "parameter", "measures", "reserved")
 
 
-def exponents_apply(device: Device) -> Iterator[Diagnostic]:
+def exponents_apply(device: Device) -> Findings:
     registers = {register.name: register for register in device.registers()}
     for register in registers.values():
         if not register.value.scale_by:
@@ -54,13 +52,13 @@ def exponents_apply(device: Device) -> Iterator[Diagnostic]:
 
 def _of_field(
     device: Device, layer: Record, field: Field, registers: Mapping[str, Register], tables: Sequence[Table]
-) -> Iterator[Diagnostic]:
+) -> Findings:
     """The findings of the exponent of a field, which is another field or a register. `tables` have its record."""
     name = field.value.scale_by if field.value is not None else ""
     sibling, register = layer.named(name), registers.get(name)
     if sibling is not None and register is not None:
         text = f"both a field of {layer.name} and a register have the name {name}"
-        yield finding(_CODE, field.place, "scale_by", text, "rename one of them")
+        yield finding(field.place, "scale_by", text, "rename one of them")
     elif sibling is not None:
         yield from _unfit(field, sibling, _no_exponent_beside(field, sibling))
     elif register is not None:
@@ -71,23 +69,23 @@ def _of_field(
         yield from _unfit(field, register, wrong)
 
 
-def _scaled(fact: Register | Field, value: Value) -> Iterator[Diagnostic]:
+def _scaled(fact: Register | Field, value: Value) -> Findings:
     """The findings of a value that takes its scale from an exponent and cannot do so."""
     if not is_count(value.encoding):
         text = f"{fact.name} is {value.type.name}, to which `scale_by` does not apply"
-        yield finding(_CODE, fact.place, "scale_by", text, "remove it, or use an integer type")
+        yield finding(fact.place, "scale_by", text, "remove it, or use an integer type")
     for key in _OWN:
         is_stated = value.scale != 1 if key == "scale" else has_key(fact, key)
         if is_stated and not (key == "reserved" and isinstance(fact, Register)):
             text = f"{fact.name} has `{key}`, and takes its scale from {value.scale_by}"
-            yield finding(_CODE, fact.place, key, text, "remove one of them")
+            yield finding(fact.place, key, text, "remove one of them")
 
 
-def _unfit(fact: Register | Field, exponent: Register | Field, wrong: str) -> Iterator[Diagnostic]:
+def _unfit(fact: Register | Field, exponent: Register | Field, wrong: str) -> Findings:
     if wrong:
         kind = "register" if isinstance(exponent, Register) else "field"
         text = f"{exponent.name} cannot be the exponent of {fact.name}: {wrong}"
-        yield finding(_CODE, fact.place, "scale_by", text, f"name the {kind} with the power of ten")
+        yield finding(fact.place, "scale_by", text, f"name the {kind} with the power of ten")
 
 
 def _no_exponent(device: Device, register: Register, exponent: Register) -> str:

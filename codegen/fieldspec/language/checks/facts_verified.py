@@ -11,16 +11,14 @@ the key.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import enumeration, finding
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, enumeration, finding
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 
 
-def facts_verified(device: Device) -> Iterator[Diagnostic]:
+def facts_verified(device: Device) -> Findings:
     sections: dict[str, list[Fact]] = {}
     for fact in facts(device):
         if fact.unverified:
@@ -29,4 +27,4 @@ def facts_verified(device: Device) -> Iterator[Diagnostic]:
         names = enumeration([fact.name for fact in unverified])
         text = f"not compared with the manual: {names} of `{section}`"
         help = "compare them, cite the manual, and remove `unverified`"
-        yield finding("facts_verified", unverified[0].place, "unverified", text, help, severity=Severity.WARNING)
+        yield finding(unverified[0].place, "unverified", text, help, severity=Severity.WARNING)

@@ -16,13 +16,21 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact, Place
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
 
-Check: TypeAlias = Callable[[Device], Iterator[Diagnostic]]
+Findings: TypeAlias = Iterator[Diagnostic]
+Check: TypeAlias = Callable[[Device], Findings]
 
 _MOST_WORDS = 6
 _SEARCHED = 2000
 
 
 def finding(
+    place: Place, key: str, message: str, help: str, *labels: Label, severity: Severity = Severity.ERROR
+) -> Diagnostic:
+    """A finding of a check at the value of a fact's key. The table of checks adds the name of the check."""
+    return finding_of("", place, key, message, help, *labels, severity=severity)
+
+
+def finding_of(
     code: str, place: Place, key: str, message: str, help: str, *labels: Label, severity: Severity = Severity.ERROR
 ) -> Diagnostic:
     """A finding of the rule `code` at the value of a fact's key."""

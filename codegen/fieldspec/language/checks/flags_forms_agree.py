@@ -12,17 +12,12 @@ Fix: Correct the bit, and write an erratum. If its position really differs, set 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
 
-_CODE = "flags_forms_agree"
 
-
-def flags_forms_agree(device: Device) -> Iterator[Diagnostic]:
+def flags_forms_agree(device: Device) -> Findings:
     forms: dict[str, list[Flags]] = {}
     for word in device.flags.values():
         if word.printed_name:
@@ -36,7 +31,7 @@ def flags_forms_agree(device: Device) -> Iterator[Diagnostic]:
                     yield from _compare_bits(word, bit, other, same)
 
 
-def _compare_bits(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Diagnostic]:
+def _compare_bits(word: Flags, bit: Bit, other: Flags, same: Bit) -> Findings:
     for key, mine, theirs in (
         ("bits" if "bits" in bit.place else "bit", _place(bit), _place(same)),
         ("active", f"the active level {bit.active}", f"the active level {same.active}"),
@@ -46,7 +41,7 @@ def _compare_bits(word: Flags, bit: Bit, other: Flags, same: Bit) -> Iterator[Di
             text = f"{bit.name} has {theirs} in {other.name} and {mine} in {word.name}, forms of one word"
             related_label = label(same.place, key if key in same.place else "name", f"in {other.name}")
             help = "correct one of them, or allow it with a reason"
-            yield finding(_CODE, bit.place, key, text, help, related_label)
+            yield finding(bit.place, key, text, help, related_label)
 
 
 def _place(bit: Bit) -> str:

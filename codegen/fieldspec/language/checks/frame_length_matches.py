@@ -12,17 +12,14 @@ fixed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import finding, interval, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, interval, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Message, Record
 from fieldspec.language.model.sizes import RecordSizes, Shape, sent_on, shapes
 
 
-def frame_length_matches(device: Device) -> Iterator[Diagnostic]:
+def frame_length_matches(device: Device) -> Findings:
     sizes = RecordSizes(device)
     links = {direction: shapes(device, direction) for direction in ("request", "response")}
     for message in device.messages.values():
@@ -37,7 +34,7 @@ def frame_length_matches(device: Device) -> Iterator[Diagnostic]:
 
 def _compare_lengths(
     message: Message, direction: str, printed: int, data: Record, links: list[Shape], sizes: RecordSizes
-) -> Iterator[Diagnostic]:
+) -> Findings:
     bounds = sizes.bounds(data)
     if bounds is None or not links:
         return
@@ -46,7 +43,6 @@ def _compare_lengths(
         return
     actual = " or ".join(sorted({interval(*pair) for pair in lengths}))
     yield finding(
-        "frame_length_matches",
         message.place,
         "frame_length",
         f"the {direction} of {message.name} is printed with {plural(printed, 'byte')}, but it has {actual}",

@@ -11,17 +11,15 @@ of the group. If the register exists only in other versions, set `allow: {gaps_d
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.addresses import extents
-from fieldspec.language.checks.finding import addresses, finding, label, longest_ascent
+from fieldspec.language.checks.finding import Findings, addresses, finding, label, longest_ascent
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.ranges import merged, uncovered
 from fieldspec.language.model.registers import Register, RegisterGroup
 
 
-def gaps_declared(device: Device) -> Iterator[Diagnostic]:
+def gaps_declared(device: Device) -> Findings:
     extent = list(extents(device))
     for group in device.groups:
         own = device.space_name(group.space)
@@ -31,7 +29,7 @@ def gaps_declared(device: Device) -> Iterator[Diagnostic]:
         yield from _wrong(group, occupied)
 
 
-def _undeclared(group: RegisterGroup, occupied: list[tuple[int, int]]) -> Iterator[Diagnostic]:
+def _undeclared(group: RegisterGroup, occupied: list[tuple[int, int]]) -> Findings:
     # A row that breaks the order is addresses_ascending's; it would make one more hole.
     ascent = longest_ascent([row.address for row in group.registers])
     rows = [row for number, row in enumerate(group.registers) if number in ascent]
@@ -47,7 +45,6 @@ def _undeclared(group: RegisterGroup, occupied: list[tuple[int, int]]) -> Iterat
 
 def _hole(group: RegisterGroup, before: Register, following: Register, low: int, high: int) -> Diagnostic:
     return finding(
-        "gaps_declared",
         following.place,
         "at",
         f"no register and no gap of {group.name} contains {addresses(low, high)}",
@@ -56,7 +53,7 @@ def _hole(group: RegisterGroup, before: Register, following: Register, low: int,
     )
 
 
-def _wrong(group: RegisterGroup, occupied: list[tuple[int, int]]) -> Iterator[Diagnostic]:
+def _wrong(group: RegisterGroup, occupied: list[tuple[int, int]]) -> Findings:
     help = "a gap contains only unused addresses between the rows of its group"
     if not group.registers:
         return
@@ -66,7 +63,7 @@ def _wrong(group: RegisterGroup, occupied: list[tuple[int, int]]) -> Iterator[Di
         for low, high in gap.addresses.intervals:
             if low < first or high > last:
                 text = f"the gap {addresses(low, high)} goes beyond the group at {addresses(first, last)}"
-                yield finding("gaps_declared", gap.place, "at", text, help)
+                yield finding(gap.place, "at", text, help)
             elif uncovered(low, high, occupied) != [(low, high)]:
                 text = f"the gap {addresses(low, high)} contains a register or table"
-                yield finding("gaps_declared", gap.place, "at", text, help)
+                yield finding(gap.place, "at", text, help)

@@ -13,15 +13,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from fieldspec.foundation.names import Name
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.record import Record
 from fieldspec.language.model.sizes import messages_on
 
 
-def header_names_distinct(device: Device) -> Iterator[Diagnostic]:
+def header_names_distinct(device: Device) -> Findings:
     reported: set[int] = set()
     for link in device.links.values():
         for direction in ("request", "response"):
@@ -34,7 +33,7 @@ def header_names_distinct(device: Device) -> Iterator[Diagnostic]:
                         text = f"{field.name} has the name of a part before the body in the {direction}s of {link.name}"
                         related_label = label(part.place, "name", "the part")
                         help = "rename one of them; its `printed_name` keeps the word of the manual"
-                        yield finding("header_names_distinct", field.place, "name", text, help, related_label)
+                        yield finding(field.place, "name", text, help, related_label)
 
 
 def _header(parts: Sequence[Part]) -> Sequence[Part]:

@@ -16,7 +16,7 @@ import re
 from collections.abc import Iterator
 
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Place
@@ -27,7 +27,7 @@ _INNER_CAPITAL = re.compile(r"[a-z][A-Z]")
 _Used = dict[str, list[tuple[Place, str]]]
 
 
-def identifiers_consistent(device: Device) -> Iterator[Diagnostic]:
+def identifiers_consistent(device: Device) -> Findings:
     used: _Used = {}
     for place, key, text in _printed(device):
         for word in _WORD.findall(text):
@@ -81,7 +81,6 @@ def _finding(used: _Used, word: str, other: str) -> Diagnostic:
     rare, usual = sorted((word, other), key=lambda spelling: (len(used[spelling]), len(spelling)))
     (place, key), (usual_place, its_key) = used[rare][0], used[usual][0]
     return finding(
-        "identifiers_consistent",
         place,
         key,
         f"`{rare}` differs from `{usual}` by one letter",

@@ -10,16 +10,13 @@ Fix: Add a reason under `inferred` for the key that was interpreted, or remove t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 
 
-def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
+def illegible_inferred(device: Device) -> Findings:
     illegible = [erratum for erratum in device.errata if erratum.illegible]
     if not illegible:
         return
@@ -30,7 +27,7 @@ def illegible_inferred(device: Device) -> Iterator[Diagnostic]:
             text = f"the manual is {erratum.illegible} here, but no key of {fact.name} is inferred"
             related_label = label(fact.place, _inferred_key(fact), "inferred from the illegible text")
             help = "add the reason under `inferred`"
-            yield finding("illegible_inferred", erratum.place, "illegible", text, help, related_label)
+            yield finding(erratum.place, "illegible", text, help, related_label)
 
 
 def _inferred_key(fact: Fact) -> str:

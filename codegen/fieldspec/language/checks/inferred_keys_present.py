@@ -10,23 +10,20 @@ Fix: Correct the key, add the value, or remove the reason.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.classes import attributes
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import UNSPECIFIED, Handling, Value
 
 
-def inferred_keys_present(device: Device) -> Iterator[Diagnostic]:
+def inferred_keys_present(device: Device) -> Findings:
     for fact in facts(device):
         for key in fact.inferred:
             if not has_key(fact, key):
                 text = f"{fact.name} has no `{key}` to infer"
-                yield finding("inferred_keys_present", fact.place, "inferred", text, "add it, or remove the reason")
+                yield finding(fact.place, "inferred", text, "add it, or remove the reason")
 
 
 def has_key(fact: Fact, key: str) -> bool:

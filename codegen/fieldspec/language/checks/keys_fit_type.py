@@ -14,14 +14,12 @@ Fix: Remove the key, or correct the type.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import partial
 
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import finding, range_key
+from fieldspec.language.checks.finding import Findings, finding, range_key
 from fieldspec.language.checks.settled import of_values
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.address_space import BIT
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
@@ -67,29 +65,29 @@ def _unfit(encoding: Encoding) -> tuple[tuple[str, ...], str]:
             assert_never(encoding)
 
 
-def keys_fit_type(device: Device) -> Iterator[Diagnostic]:
+def keys_fit_type(device: Device) -> Findings:
     yield from of_values(device, partial(_of_value, device))
     yield from _ordered_checksums(device)
 
 
-def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(device: Device, fact: Fact, value: Value) -> Findings:
     unfit_keys, help = _unfit(value.encoding)
     bit_keys = _OF_BITS if value.type.name == BIT else ()
     for key in dict.fromkeys((*unfit_keys, *bit_keys)):
         if _has(value, key) and not (key == "byte_order" and value.has_order):
             text = f"{fact.name} is {value.type.name}, to which `{_key(fact.place, key)}` does not apply"
-            yield finding("keys_fit_type", fact.place, _key(fact.place, key), text, help)
+            yield finding(fact.place, _key(fact.place, key), text, help)
     if is_count(value.encoding):
         yield from _of_names(fact, value)
     if is_truth(value.encoding) and value.enum:
         yield from _of_truths(device.enums.get(value.enum), fact, value)
     if value.type.is_number and not value.digits and "length" in fact.place and "codec" not in fact.place:
         text = f"{fact.name} is {value.type.name}, whose size is fixed, so that `length` does not apply"
-        yield finding("keys_fit_type", fact.place, "length", text, "remove it, or say how its `digits` are sent")
+        yield finding(fact.place, "length", text, "remove it, or say how its `digits` are sent")
     if value.is_as_sent and value.byte_order and not (value.is_low_first and not isinstance(fact, Part)):
         manner = "as characters, the most significant digit first," if value.has_characters else "by a codec"
         text = f"{fact.name} is sent {manner} and has no byte order"
-        yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
+        yield finding(fact.place, "byte_order", text, "remove it, or use `digits: bcd`")
     elif (
         value.size == 1
         and not value.has_order
@@ -98,21 +96,21 @@ def _of_value(device: Device, fact: Fact, value: Value) -> Iterator[Diagnostic]:
         and value.type.name != BIT
     ):
         text = f"{fact.name} is {value.type.name} in one byte, which has no byte order"
-        yield finding("keys_fit_type", fact.place, "byte_order", text, "remove it, or correct the type")
+        yield finding(fact.place, "byte_order", text, "remove it, or correct the type")
     for key in ("word_order", "write_word_order"):
         if value.type.is_number and _has(value, key) and not value.has_words:
             text = f"{fact.name} is {value.type.name}, which does not consist of several words of 16 bits"
-            yield finding("keys_fit_type", fact.place, key, text, "remove it, or correct the type")
+            yield finding(fact.place, key, text, "remove it, or correct the type")
     if is_count(value.encoding) and value.absent_nan:
         text = f"{fact.name} is {value.type.name}, but a special value has `bits` only in an f16, f32 or f64"
-        yield finding("keys_fit_type", fact.place, "sentinels", text, "state the raw value under `value`")
+        yield finding(fact.place, "sentinels", text, "state the raw value under `value`")
     spread = next((sentinel for sentinel in value.sentinels if sentinel.last is not None), None)
     if spread is not None and not is_count(value.encoding):
         text = f"{fact.name} is {value.type.name}, but {spread.name} has a `range`, which only whole numbers have"
-        yield finding("keys_fit_type", fact.place, "sentinels", text, "state each number under `value`")
+        yield finding(fact.place, "sentinels", text, "state each number under `value`")
 
 
-def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_names(fact: Fact, value: Value) -> Findings:
     """The keys that a number with an enum or a bit field cannot have."""
     keys = ("enum", *_SCALED, "unit") if value.flags else _SCALED if value.enum else ()
     names = "is a word of bits" if value.flags else f"has the names of {value.enum}"
@@ -124,14 +122,14 @@ def _of_names(fact: Fact, value: Value) -> Iterator[Diagnostic]:
     for key in keys:
         if _has(value, key):
             text = f"{fact.name} {names}, to which `{key}` does not apply"
-            yield finding("keys_fit_type", fact.place, key, text, fix)
+            yield finding(fact.place, key, text, fix)
     if value.flags and is_signed(value.encoding):
         text = f"{fact.name} is {value.type.name}, and a word of bits has no sign"
         help = f"use u{value.type.name[1:]}; several adjacent bits can be `signed`"
-        yield finding("keys_fit_type", fact.place, "type", text, help)
+        yield finding(fact.place, "type", text, help)
 
 
-def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Findings:
     """The truth value that a closed enum lacks, although readers accept both truth values."""
     if enum is None or enum.open:
         return
@@ -140,10 +138,10 @@ def _of_truths(enum: Enum | None, fact: Fact, value: Value) -> Iterator[Diagnost
     if missing:
         text = f"{fact.name} is {value.type.name}, and {enum.name} does not list {' and '.join(missing)}"
         help = "list both values as available, or make the enum `open`"
-        yield finding("keys_fit_type", fact.place, "enum", text, help)
+        yield finding(fact.place, "enum", text, help)
 
 
-def _ordered_checksums(device: Device) -> Iterator[Diagnostic]:
+def _ordered_checksums(device: Device) -> Findings:
     """The checksums of one byte with a byte order, which do not combine wider numbers."""
     for part in (part for link in device.links.values() for part in (*link.request, *link.response)):
         if part.role != "checksum" or "byte_order" not in part.place or part.digits:
@@ -151,7 +149,7 @@ def _ordered_checksums(device: Device) -> Iterator[Diagnostic]:
         kind = checksum_named(part.algorithm)
         if not kind.has_order:
             text = f"{part.name} is a checksum of {plural(kind.width, 'bit')}, which has no byte order"
-            yield finding("keys_fit_type", part.place, "byte_order", text, "remove it, or correct the checksum")
+            yield finding(part.place, "byte_order", text, "remove it, or correct the checksum")
 
 
 def _key(place: Place, key: str) -> str:

@@ -11,27 +11,25 @@ Fix: Remove one of the two keys, or the separator.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import default_key, finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, default_key, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.link import Part
 from fieldspec.language.model.record import Field
 
-_CODE = "keys_have_effect"
 _MEANINGS = ("enum", "flags", "unit", "scale", "offset", "sentinels")
 
 
-def keys_have_effect(device: Device) -> Iterator[Diagnostic]:
+def keys_have_effect(device: Device) -> Findings:
     for fact, value in values(device):
         # A trigger is read as something else than what is written.
         if value.const is not None and value.default is not None and not getattr(fact, "trigger", False):
             text = f"{fact.name} is always {value.const}, so that a default has no effect"
             related_label = label(fact.place, "const", "the constant")
-            yield finding(_CODE, fact.place, default_key(fact.place), text, "remove one of them", related_label)
+            yield finding(fact.place, default_key(fact.place), text, "remove one of them", related_label)
         # The manual may print a unit for an address that it does not explain: such rows are documented as printed.
         if isinstance(fact, Field) or (isinstance(fact, Part) and fact.role == "plain"):
             yield from _reserved(fact, fact.reserved)
@@ -40,9 +38,9 @@ def keys_have_effect(device: Device) -> Iterator[Diagnostic]:
             yield from _reserved(bit, bit.reserved, (*_MEANINGS, "default", "unit_default"))
 
 
-def _reserved(fact: Fact, is_reserved: bool, keys: Sequence[str] = _MEANINGS) -> Iterator[Diagnostic]:
+def _reserved(fact: Fact, is_reserved: bool, keys: Sequence[str] = _MEANINGS) -> Findings:
     for key in keys if is_reserved else ():
         if key in fact.place:
             text = f"{fact.name} is reserved, so that `{key}` has no effect"
             help = "remove it, or remove `reserved` if the value has this meaning"
-            yield finding(_CODE, fact.place, key, text, help, label(fact.place, "reserved", "it is ignored"))
+            yield finding(fact.place, key, text, help, label(fact.place, "reserved", "it is ignored"))

@@ -12,17 +12,16 @@ labels are correct, set `allow: {labels_consistent: <reason>}`.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.value import Value
 
 
-def labels_consistent(device: Device) -> Iterator[Diagnostic]:
+def labels_consistent(device: Device) -> Findings:
     families: dict[str, list[tuple[Record, Field]]] = {}
     for layer in layers(device):
         for field in layer.fields:
@@ -32,7 +31,7 @@ def labels_consistent(device: Device) -> Iterator[Diagnostic]:
         yield from _odd(family)
 
 
-def _odd(family: Sequence[tuple[Record, Field]]) -> Iterator[Diagnostic]:
+def _odd(family: Sequence[tuple[Record, Field]]) -> Findings:
     """Findings at the fields with the rarer names; of names that are equally rare, at those that come later."""
     usual, _ = Counter(field.name for _, field in family).most_common(1)[0]
     holder, example = next((layer, field) for layer, field in family if field.name == usual)
@@ -40,7 +39,6 @@ def _odd(family: Sequence[tuple[Record, Field]]) -> Iterator[Diagnostic]:
         alike = field.name == usual or layer is holder
         if not alike and field.value and example.value and _differ(field.value, example.value):
             yield finding(
-                "labels_consistent",
                 field.place,
                 "label",
                 f"{field.name} and {example.name} have the same label, `{field.label}`, but are different values",

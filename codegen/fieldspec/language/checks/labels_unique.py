@@ -11,11 +11,10 @@ are correct, set `allow: {labels_unique: <reason>}`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 
 from fieldspec.language.checks.facts import lists
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Register
@@ -23,7 +22,7 @@ from fieldspec.language.model.registers import Register
 _WORDS = {"printed_name": "printed name", "label": "label"}
 
 
-def labels_unique(device: Device) -> Iterator[Diagnostic]:
+def labels_unique(device: Device) -> Findings:
     originals = {register.name: register for register in device.registers()}
     for rows in lists(device):
         own_rows = [row for row in rows if not getattr(row, "reserved", False) and not _as_original(row, originals)]
@@ -37,14 +36,13 @@ def _as_original(row: Fact, originals: Mapping[str, Register]) -> bool:
     return original is not None and original.label == row.label and not row.printed_name
 
 
-def _of_key(rows: Iterable[Fact], key: str) -> Iterator[Diagnostic]:
+def _of_key(rows: Iterable[Fact], key: str) -> Findings:
     first: dict[str, Fact] = {}
     for row in rows:
         text = getattr(row, key)
         other = first.setdefault(text, row) if text else row
         if other is not row:
             yield finding(
-                "labels_unique",
                 row.place,
                 key,
                 f"{other.name} and {row.name} have the same {_WORDS[key]}, `{text}`",

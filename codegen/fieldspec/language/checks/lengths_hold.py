@@ -16,8 +16,7 @@ from collections.abc import Iterator
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.source import Span
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, interval, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, interval, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Place
@@ -26,11 +25,10 @@ from fieldspec.language.model.record import Field, Measure
 from fieldspec.language.model.sizes import RecordSizes, messages_sent, shapes
 from fieldspec.language.model.value import Value
 
-_CODE = "lengths_hold"
 _HELP = "correct the number of elements or the type"
 
 
-def lengths_hold(device: Device) -> Iterator[Diagnostic]:
+def lengths_hold(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for layer in layers(device):
         fields = {field.name: field for field in layer.fields}
@@ -58,7 +56,7 @@ class _Frame:
     most: int
 
 
-def _of_field(field: Field, measure: Measure, measured: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
+def _of_field(field: Field, measure: Measure, measured: Field, sizes: RecordSizes) -> Findings:
     if field.value is None or not is_count(field.value.encoding):
         return
     if measure.of == "bytes":
@@ -79,16 +77,14 @@ def _of_field(field: Field, measure: Measure, measured: Field, sizes: RecordSize
     text = f"{field.name} counts {interval(minimum, maximum)} {unit} of {measured.name}{plus}"
     if minimum < 0:
         help = "correct `plus` or the number of elements"
-        yield finding(
-            _CODE, field.place, "measures", f"{text}, but no number of {unit} is below zero", help, related_label
-        )
+        yield finding(field.place, "measures", f"{text}, but no number of {unit} is below zero", help, related_label)
     type_text, limit = field.value.type.name, field.value.high
     if measure.bits is not None:
         low, high = measure.bits
         type_text, limit = f"bits {low}..{high}", (2 << high - low) - 1
     if maximum > limit:
         text += f", but the maximum of {type_text} is {limit}"
-        yield finding(_CODE, field.place, "type" if measure.bits is None else "measures", text, _HELP, related_label)
+        yield finding(field.place, "type" if measure.bits is None else "measures", text, _HELP, related_label)
 
 
 def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Frame]:
@@ -112,7 +108,7 @@ def _frames(device: Device, direction: str, sizes: RecordSizes) -> Iterator[_Fra
                     yield _Frame(name, place, key, part, part.value, minimum, maximum)
 
 
-def _of_data(frame: _Frame) -> Iterator[Diagnostic]:
+def _of_data(frame: _Frame) -> Findings:
     """The findings of a length part that cannot have the length of frames with some data."""
     value, unit, part, frame_name = frame.value, frame.part.unit_size, frame.part, frame.name
     low, high = (value.low, value.high) if value.ranges is None else (value.ranges.low, value.ranges.high)
@@ -123,10 +119,10 @@ def _of_data(frame: _Frame) -> Iterator[Diagnostic]:
         if (part.span, unit, part.plus) == (PartSpan("", ""), 1, 0):
             text = f"the longest {frame_name} has {longest} bytes"
         text = f"{text}; the maximum of {part.name} is {high}"
-        yield finding(_CODE, frame.place, frame.key, text, _help(part), related_label)
+        yield finding(frame.place, frame.key, text, _help(part), related_label)
     if shortest < low:
         text = f"{part.name} would be {shortest} in the shortest {frame_name}; its minimum is {low}"
-        yield finding(_CODE, frame.place, frame.key, text, _help(part), related_label)
+        yield finding(frame.place, frame.key, text, _help(part), related_label)
 
 
 def _help(part: Part) -> str:
@@ -134,7 +130,7 @@ def _help(part: Part) -> str:
     return "correct `plus`, the number of elements or the type" if part.plus else _HELP
 
 
-def _of_words(frames: list[_Frame]) -> Iterator[Diagnostic]:
+def _of_words(frames: list[_Frame]) -> Findings:
     """Whether frames of one size have whole words where words are counted: if none has, the length part is wrong."""
     by_part: dict[Span, list[_Frame]] = {}
     for frame in frames:
@@ -146,9 +142,9 @@ def _of_words(frames: list[_Frame]) -> Iterator[Diagnostic]:
             text = f"{part.name} counts words, but no frame has a whole number of them: the {odd[0].name}"
             text += f" has {odd[0].least} counted bytes"
             help = "remove `in: words`, or correct the parts that are counted"
-            yield finding(_CODE, part.place, "measures", text, help)
+            yield finding(part.place, "measures", text, help)
             continue
         for frame in odd:
             text = f"the {frame.name} has {frame.least} counted bytes, which is not a whole number of words"
             help = "add a field that fills the last word, or exclude the link with the message's `links`"
-            yield finding(_CODE, frame.place, frame.key, text, help, label(part.place, "type", part.name))
+            yield finding(frame.place, frame.key, text, help, label(part.place, "type", part.name))

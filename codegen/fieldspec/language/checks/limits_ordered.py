@@ -10,28 +10,26 @@ Fix: Correct one of them, or state the number, and write an erratum if the manua
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from decimal import Decimal
 from itertools import pairwise
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 
 
-def limits_ordered(device: Device) -> Iterator[Diagnostic]:
+def limits_ordered(device: Device) -> Findings:
     for limit in device.limits:
         rising = [
             (key, number) for key, number in _limit_text(limit.low, limit.value, limit.high) if number is not None
         ]
         if not rising and not limit.text:
             text = f"{limit.name} has neither a number nor a text"
-            yield finding("limits_ordered", limit.place, "name", text, "state `value`, `min`, `max` or `text`")
+            yield finding(limit.place, "name", text, "state `value`, `min`, `max` or `text`")
         for (before, less), (next_key, next_number) in pairwise(rising):
             if less > next_number:
                 text = f"{limit.name} has the {before} {less} and the {next_key} {next_number}"
                 related_label = label(limit.place, before, f"the {before}")
-                yield finding("limits_ordered", limit.place, next_key, text, "correct one of them", related_label)
+                yield finding(limit.place, next_key, text, "correct one of them", related_label)
 
 
 def _limit_text(

@@ -11,11 +11,9 @@ Fix: Correct the number or the reference, and write an erratum if the manual pri
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from decimal import Decimal
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.sizes import RecordSizes, messages_sent, shapes
 from fieldspec.language.model.texts import Limit
@@ -24,13 +22,13 @@ _SECOND = {"us": 1_000_000, "ms": 1000, "s": 1}
 """How many of a unit of time a second has."""
 
 
-def limits_within(device: Device) -> Iterator[Diagnostic]:
+def limits_within(device: Device) -> Findings:
     limits = {limit.place.path: limit for limit in device.limits}
     for limit in device.limits:
         for key, paths in (("sum_of", limit.sum_of), ("within", (limit.within,))):
             if limit.place.path in paths:
                 text = f"{limit.name} names itself under `{key}`"
-                yield finding("limits_within", limit.place, key, text, "name another limit")
+                yield finding(limit.place, key, text, "name another limit")
         if limit.sum_of:
             yield from _sum(limit, [limits[path] for path in limit.sum_of if path in limits])
         bound = limits.get(limit.within)
@@ -39,13 +37,13 @@ def limits_within(device: Device) -> Iterator[Diagnostic]:
         related_label = label(bound.place, "max" if "max" in bound.place else "value", "the bound")
         if limit.unit != bound.unit:
             text = f"{limit.name} is in {limit.unit or 'no unit'}, {bound.name} in {bound.unit or 'no unit'}"
-            yield finding("limits_within", limit.place, "unit", text, "state both in the same unit", related_label)
+            yield finding(limit.place, "unit", text, "state both in the same unit", related_label)
             continue
         transmission, frame = _transmission(device, limit)
         if limit.most + transmission > bound.most:
             text = f"{limit.name} goes to {limit.most + transmission} {limit.unit}{frame}, "
             text += f"and {bound.name} to {bound.most}"
-            yield finding("limits_within", limit.place, "within", text, "correct one of them", related_label)
+            yield finding(limit.place, "within", text, "correct one of them", related_label)
 
 
 def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
@@ -74,15 +72,15 @@ def _transmission(device: Device, limit: Limit) -> tuple[Decimal, str]:
     ), f" with a {limit.transmits} of {longest} bytes"
 
 
-def _sum(limit: Limit, parts: list[Limit]) -> Iterator[Diagnostic]:
+def _sum(limit: Limit, parts: list[Limit]) -> Findings:
     """Whether the greatest values of the parts add up to that of the limit, in its unit."""
     for part in parts:
         if part.most is None or part.unit != limit.unit:
             text = f"{part.name} has no maximum in {limit.unit or 'no unit'} to add"
             related_label = label(part.place, "name", "a part of the sum")
-            yield finding("limits_within", limit.place, "sum_of", text, "name limits of the same unit", related_label)
+            yield finding(limit.place, "sum_of", text, "name limits of the same unit", related_label)
             return
     total = sum(part.most for part in parts if part.most is not None)
     if limit.most is not None and parts and total != limit.most:
         text = f"the parts of {limit.name} add up to {total}, not to {limit.most}"
-        yield finding("limits_within", limit.place, "sum_of", text, "correct the sum or the parts")
+        yield finding(limit.place, "sum_of", text, "correct the sum or the parts")

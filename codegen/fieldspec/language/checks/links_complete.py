@@ -17,10 +17,8 @@ the decoder then states the message.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, label, near
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, near
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count, is_signed
 from fieldspec.language.model.escape import SLIP
@@ -29,21 +27,20 @@ from fieldspec.language.model.sizes import coded, messages_on
 from fieldspec.language.model.subcodes import WIDEST
 from fieldspec.language.model.value import Value
 
-_CODE = "links_complete"
 _NUMBERS = ("unit_address", "code", "length")
 _GREATEST_SIZES = {"unit_address": 8, "code": WIDEST, "length": 4}
 
 
-def links_complete(device: Device) -> Iterator[Diagnostic]:
+def links_complete(device: Device) -> Findings:
     defaults = [link for link in device.links.values() if link.is_default]
     for link in defaults[1:]:
         text = f"{link.name} and {defaults[0].name} are both the default link"
         help = "state `default: true` only at the link that the device uses with factory settings"
-        yield finding(_CODE, link.place, "default", text, help, label(defaults[0].place, "default", "the first one"))
+        yield finding(link.place, "default", text, help, label(defaults[0].place, "default", "the first one"))
     for link in device.links.values():
         if not link.byte_order:
             text = f"the link {link.name} has no byte order"
-            yield finding(_CODE, link.place, "byte_order", text, "add `byte_order: big` or `byte_order: little`")
+            yield finding(link.place, "byte_order", text, "add `byte_order: big` or `byte_order: little`")
         for direction in ("request", "response"):
             yield from _of_parts(device, link, direction, link.parts(direction))
         yield from _messages_distinct(device, link)
@@ -55,16 +52,16 @@ def links_complete(device: Device) -> Iterator[Diagnostic]:
         ):
             text = f"`unit_addresses` has no effect in {link.name}, which has no part with the role unit_address"
             help = "add `role: unit_address` to the part with the address, or remove `unit_addresses`"
-            yield finding(_CODE, link.place, "unit_addresses", text, help)
+            yield finding(link.place, "unit_addresses", text, help)
         error = link.exception_response
         is_coded = any(part.role == "code" for part in link.response)
         if error is not None and not (error.field or error.part) and not is_coded:
             text = f"the link {link.name} marks exception responses in the code, but its responses have no code"
             help = "add the role `code` to the part with the code, or state `part` or `field`"
-            yield finding(_CODE, link.place, "exception_response", text, help)
+            yield finding(link.place, "exception_response", text, help)
 
 
-def _marked(link: Link) -> Iterator[Diagnostic]:
+def _marked(link: Link) -> Findings:
     """The part that marks exception responses is one that responses have before their body, and that may differ."""
     error = link.exception_response
     if error is None or error.normal is None:
@@ -74,21 +71,21 @@ def _marked(link: Link) -> Iterator[Diagnostic]:
     part = next((part for part in link.response[:body] if part.name == error.part), None)
     if part is None:
         text = f"responses on {link.name} have no part {error.part} before their body"
-        yield finding(_CODE, link.place, "exception_response", text, near(error.part, names))
+        yield finding(link.place, "exception_response", text, near(error.part, names))
         return
     value = part.value
     if part.role != "plain" or value is None or value.const is not None or part.reserved:
         text = f"{part.name} cannot mark an exception response, because it is not a number that varies"
         help = "name a part without a `role`, and without `const` or `reserved`"
-        yield finding(_CODE, link.place, "exception_response", text, help, label(part.place, "name", part.name))
+        yield finding(link.place, "exception_response", text, help, label(part.place, "name", part.name))
         return
     if any(not error.permitted(value, is_exception).intervals for is_exception in (False, True)):
         text = f"{part.name} is always or never one of {error.normal.text()}"
         help = "correct `normal`, or the range of the part"
-        yield finding(_CODE, link.place, "exception_response", text, help, label(part.place, "name", part.name))
+        yield finding(link.place, "exception_response", text, help, label(part.place, "name", part.name))
 
 
-def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _messages_distinct(device: Device, link: Link) -> Findings:
     """A link without codes carries one message, or messages that are known to have none."""
     messages = messages_on(device, link)
     odd = next((message for message in messages if message.code is not None or not message.links), None)
@@ -97,7 +94,7 @@ def _messages_distinct(device: Device, link: Link) -> Iterator[Diagnostic]:
         description = "has a code" if odd.code is not None else "does not say on which links it is sent"
         related_label = label(odd.place, "code" if odd.code is not None else "name", f"{odd.name} {description}")
         help = "add the role `code` to the part with the code, or add `links` to the messages and remove their codes"
-        yield finding(_CODE, link.place, "request", text, help, related_label)
+        yield finding(link.place, "request", text, help, related_label)
 
 
 def _frame(link: Link, direction: str) -> str:
@@ -115,18 +112,18 @@ _REPEATED = {
 }
 
 
-def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Iterator[Diagnostic]:
+def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...]) -> Findings:
     if direction not in link.place:
         text = f"the {direction} of {link.name} has no parts"
         help = "state them under `frame`, or under `request` and `response` where these differ"
-        yield finding(_CODE, link.place, direction, text, help)
+        yield finding(link.place, direction, text, help)
         return
     roles = Counter(part.role for part in parts)
     for role in (*_NUMBERS, "body"):
         if role != "length" and (roles[role] > 1 or (role == "body" and not roles[role])):
             text = f"{_frame(link, direction)} has {roles[role]} parts with the role {role}"
             help = _REPEATED[role] if roles[role] else "add the part with `role: body`, for the data of the message"
-            yield finding(_CODE, link.place, direction, text, help)
+            yield finding(link.place, direction, text, help)
     for part in parts:
         yield from _of_type(device, part)
     names = [part.name for part in parts]
@@ -142,16 +139,16 @@ def _of_parts(device: Device, link: Link, direction: str, parts: tuple[Part, ...
             role = part.role.replace("_", " ")
             text = f"the {role} {part.name} comes after the body"
             help = f"list it before the body: no output can read a frame whose {role} follows the data"
-            yield finding(_CODE, part.place, "name", text, help)
+            yield finding(part.place, "name", text, help)
         if part.role == "plain" and part.value is not None and part.value.const is None and not part.reserved:
             text = f"{part.name} follows the body, but has no value"
             help = (
                 "give it a `const`; parts that users supply come before the body, or are the last field of each message"
             )
-            yield finding(_CODE, part.place, "name", text, help)
+            yield finding(part.place, "name", text, help)
 
 
-def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
+def _of_type(device: Device, part: Part) -> Findings:
     """Whether codecs can take the value of a part for a number."""
     if part.value is None:
         return
@@ -159,19 +156,19 @@ def _of_type(device: Device, part: Part) -> Iterator[Diagnostic]:
     if part.role == "plain":
         if not is_count(kind.encoding):
             text = f"the part {part.name} is {kind.name}, which is not a number"
-            yield finding(_CODE, part.place, "type", text, "use an integer type")
+            yield finding(part.place, "type", text, "use an integer type")
         enum = device.enums.get(part.value.enum)
         if enum is not None and not enum.open:
             text = f"the enum {enum.name} of the part {part.name} is closed, but frames can contain other values"
             related_label = label(enum.place, "name", "the enum")
-            yield finding(_CODE, part.place, "enum", text, "set `open: true` on the enum", related_label)
+            yield finding(part.place, "enum", text, "set `open: true` on the enum", related_label)
     elif not is_count(kind.encoding):
         text = f"the {role} {part.name} is {kind.name}, which is not a number"
-        yield finding(_CODE, part.place, "type", text, "use an integer type")
+        yield finding(part.place, "type", text, "use an integer type")
     elif is_signed(kind.encoding) or kind.size > _GREATEST_SIZES[part.role]:
         greatest = _GREATEST_SIZES[part.role]
         text = f"the {role} {part.name} is {kind.name}; it must be unsigned, with at most {greatest} bytes"
-        yield finding(_CODE, part.place, "type", text, f"use an integer type from `u8` to `u{8 * greatest}`")
+        yield finding(part.place, "type", text, f"use an integer type from `u8` to `u{8 * greatest}`")
 
 
 def _missing_part(link: Link, direction: str, name: str, names: list[str]) -> str:
@@ -193,7 +190,7 @@ def _missing_part(link: Link, direction: str, name: str, names: list[str]) -> st
     )
 
 
-def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
+def _of_span(link: Link, direction: str, part: Part) -> Findings:
     """Whether a length counts, or a check covers, neighbouring parts that it can."""
     parts = link.parts(direction)
     key = "measures" if part.role == "length" else "covers"
@@ -202,11 +199,7 @@ def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
         if name and name not in names:
             text = f"{_frame(link, direction)} has no part {name}"
             yield finding(
-                _CODE,
-                part.place,
-                key,
-                text,
-                _missing_part(link, direction, name, [own for own in names if own != part.name]),
+                part.place, key, text, _missing_part(link, direction, name, [own for own in names if own != part.name])
             )
     numbers = link.span(direction, part)
     if numbers is None:
@@ -216,16 +209,16 @@ def _of_span(link: Link, direction: str, part: Part) -> Iterator[Diagnostic]:
         if first > last or not any(part.role == "body" for part in parts[first : last + 1]):
             text = f"the length {part.name} does not count the body, so it is constant"
             help = "count the body too, or replace the role of the part by a `const`"
-            yield finding(_CODE, part.place, key, text, help)
+            yield finding(part.place, key, text, help)
     elif first > last:
         text = f"the checksum {part.name} covers nothing"
-        yield finding(_CODE, part.place, key, text, "name the first and the last part in the order of the wire")
+        yield finding(part.place, key, text, "name the first and the last part in the order of the wire")
     elif first <= names.index(part.name) <= last:
         text = f"the checksum {part.name} covers itself"
-        yield finding(_CODE, part.place, key, text, "end before it, or begin after it")
+        yield finding(part.place, key, text, "end before it, or begin after it")
 
 
-def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
+def _computable(link: Link, direction: str) -> Findings:
     """Whether no checksums cover each other, so that one of them is computed first."""
     parts = link.parts(direction)
     checks = {part.name: part for part in parts if part.role == "checksum" and part.algorithm}
@@ -240,10 +233,10 @@ def _computable(link: Link, direction: str) -> Iterator[Diagnostic]:
         part, other = checks[name], checks[sorted(covered[name] & covered.keys())[0]]
         text = f"the checksums {name} and {other.name} cover each other, so none can be computed first"
         help = "let one of them end before the other under `covers`"
-        yield finding(_CODE, part.place, "covers", text, help, label(other.place, "covers", other.name))
+        yield finding(part.place, "covers", text, help, label(other.place, "covers", other.name))
 
 
-def _of_sent_bytes(link: Link, direction: str) -> Iterator[Diagnostic]:
+def _of_sent_bytes(link: Link, direction: str) -> Findings:
     """Whether no checksum of original bytes covers a part of those that are sent, as each would depend on the other."""
     parts, (start, stop) = link.parts(direction), link.escaped_span(direction) or (0, -1)
     of_original = [start <= index <= stop or part.span.before_escape for index, part in enumerate(parts)]
@@ -259,10 +252,10 @@ def _of_sent_bytes(link: Link, direction: str) -> Iterator[Diagnostic]:
             text += "counts what is sent" if is_length else "covers what is sent"
             related_label = label(covered.place, "name", f"the {covered.role}")
             help = f"leave the {covered.role} out under `covers`, or escape both parts or neither of them"
-            yield finding(_CODE, part.place, "name", text, help, related_label)
+            yield finding(part.place, "name", text, help, related_label)
 
 
-def _before_escape(link: Link, direction: str) -> Iterator[Diagnostic]:
+def _before_escape(link: Link, direction: str) -> Findings:
     """Whether `before_escape` changes anything: where bytes are escaped, for a part that is not escaped itself."""
     start, stop = link.escaped_span(direction) or (0, -1)
     for index, part in enumerate(link.parts(direction)):
@@ -271,10 +264,10 @@ def _before_escape(link: Link, direction: str) -> Iterator[Diagnostic]:
             text = f"`before_escape` has no effect: {part.name} is escaped itself, so that it is of the original bytes"
             if link.escape is None or link.is_can:
                 text = f"`before_escape` has no effect: the link {link.name} escapes no bytes"
-            yield finding(_CODE, part.place, key, text, "remove `before_escape`")
+            yield finding(part.place, key, text, "remove `before_escape`")
 
 
-def _of_mark(link: Link, direction: str) -> Iterator[Diagnostic]:
+def _of_mark(link: Link, direction: str) -> Findings:
     """Whether something marks frames with the byte that SLIP or COBS keeps out of them."""
     escape, parts = link.escape, link.parts(direction)
     whole = escape is not None and not escape.first and not escape.last  # then another end mark has a finding anyway
@@ -292,27 +285,27 @@ def _of_mark(link: Link, direction: str) -> Iterator[Diagnostic]:
     if not any(mark in delimiter for delimiter in marks) and not (whole and link.delimiters(direction)[1]):
         name = "COBS" if escape.method == "cobs" else "SLIP"
         text = f"{name} keeps {mark:02X} out of {_frame(link, direction)}, but no such byte marks where it ends"
-        yield finding(_CODE, link.place, "escape", text, f'add `end: "{mark:02X}"`, or remove `escape`')
+        yield finding(link.place, "escape", text, f'add `end: "{mark:02X}"`, or remove `escape`')
 
 
-def _preambled(link: Link) -> Iterator[Diagnostic]:
+def _preambled(link: Link) -> Findings:
     """Whether frames show where their preamble ends, and have a length, by which framers find them."""
     preamble, key = link.preamble, "preamble"
     if preamble is None:
         return
     if link.transmission != "binary" or link.is_can or (link.escape is not None and not link.escape.first):
         text = f"the link {link.name} has a preamble, but the first parts of its frames are not sent as they are"
-        yield finding(_CODE, link.place, key, text, "state the bytes that are always there as `start`")
+        yield finding(link.place, key, text, "state the bytes that are always there as `start`")
         return
     for direction in ("request", "response"):
         opening = link.opening(direction)
         if not opening or opening[0] == preamble.byte:
             text = f"nothing shows where the preamble of {_frame(link, direction)} ends"
             help = "state a `start`, or a `const` of one byte as the first part, with another byte first"
-            yield finding(_CODE, link.place, key, text, help)
+            yield finding(link.place, key, text, help)
         elif not any(part.role == "length" for part in link.parts(direction)):
             text = f"{_frame(link, direction)} has a preamble, but no length shows where it ends"
-            yield finding(_CODE, link.place, key, text, "add the part with `role: length`, or state `start`")
+            yield finding(link.place, key, text, "add the part with `role: length`, or state `start`")
 
 
 def _constant_bytes(value: Value) -> bytes:
@@ -320,25 +313,25 @@ def _constant_bytes(value: Value) -> bytes:
     return ((value.const or 0) & (1 << 8 * value.size) - 1).to_bytes(value.size, "big")
 
 
-def _escapable(link: Link) -> Iterator[Diagnostic]:
+def _escapable(link: Link) -> Findings:
     """Whether the escape of a link applies to parts that it has, the body among them, and hides the end mark."""
     escape = link.escape
     if escape is None or link.is_can:
         return
     if link.transmission != "binary":
         text = f"the link {link.name} escapes bytes, but sends characters"
-        yield finding(_CODE, link.place, "escape", text, "remove `escape`, or state `transmission: binary`")
+        yield finding(link.place, "escape", text, "remove `escape`, or state `transmission: binary`")
     for direction in ("request", "response"):
         parts = link.parts(direction)
         names = [part.name for part in parts]
         for name in (escape.first, escape.last):
             if name and name not in names:
                 text = f"{_frame(link, direction)} has no part {name}"
-                yield finding(_CODE, link.place, "escape", text, near(name, names))
+                yield finding(link.place, "escape", text, near(name, names))
         first, last = link.escaped_span(direction) or (0, len(parts) - 1)
         if not any(part.role == "body" for part in parts[first : last + 1]):
             text = f"the body of {_frame(link, direction)} is not escaped"
-            yield finding(_CODE, link.place, "escape", text, "name the first and the last part around the body")
+            yield finding(link.place, "escape", text, "name the first and the last part around the body")
         yield from _of_sent_bytes(link, direction)
         yield from _of_mark(link, direction)
     whole = not escape.first and not escape.last
@@ -357,4 +350,4 @@ def _escapable(link: Link) -> Iterator[Diagnostic]:
                     f"the end mark {mark} of {link.name} may occur within a frame, because the escape writes this byte"
                 )
                 help = "state the `byte` and the `mask` with which escapes are sent; neither gives the mark"
-            yield finding(_CODE, link.place, "escape", text, help)
+            yield finding(link.place, "escape", text, help)

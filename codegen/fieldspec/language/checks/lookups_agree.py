@@ -10,11 +10,9 @@ Fix: Correct the cell and write an erratum, or set `allow: {lookups_agree: <reas
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import permutations
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.texts import Lookup, LookupRow
@@ -27,7 +25,7 @@ _COMPARED = 20
 _Cells = dict[ScalarValue, tuple[ScalarValue, LookupRow]]
 
 
-def lookups_agree(device: Device) -> Iterator[Diagnostic]:
+def lookups_agree(device: Device) -> Findings:
     earlier: dict[tuple[str, str], list[tuple[Lookup, _Cells]]] = {}
     for lookup in device.lookups:
         reported: set[int] = set()
@@ -53,9 +51,7 @@ def _by_key(lookup: Lookup, key_index: int, column_index: int) -> _Cells:
     return cells
 
 
-def _compare_cells(
-    subject: str, cells: _Cells, theirs: _Cells, other: Lookup, reported: set[int]
-) -> Iterator[Diagnostic]:
+def _compare_cells(subject: str, cells: _Cells, theirs: _Cells, other: Lookup, reported: set[int]) -> Findings:
     common = [key for key in cells if key in theirs]
     odd = [key for key in common if cells[key][0] != theirs[key][0]]
     if len(common) - len(odd) < _FEWEST or len(odd) * _SMALL > len(common):
@@ -67,4 +63,4 @@ def _compare_cells(
             text = f"the {subject} {key} is {mine}, but {their} in {other.name}, which otherwise agrees"
             help = "correct one of the cells, or allow the difference with a reason"
             related_label = label(their_row.place, "cells", f"the row of {other.name}")
-            yield finding("lookups_agree", row.place, "cells", text, help, related_label)
+            yield finding(row.place, "cells", text, help, related_label)

@@ -13,11 +13,10 @@ Fix: Correct the cell, and write an erratum. If the number is really different, 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import groupby
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import Lookup
 
@@ -26,7 +25,7 @@ _SMALL = 12
 _FEWEST_STEPS = 4
 
 
-def lookups_regular(device: Device) -> Iterator[Diagnostic]:
+def lookups_regular(device: Device) -> Findings:
     for lookup in device.lookups:
         for index, column in enumerate(lookup.columns):
             cells = [row.cells[index] for row in lookup.rows if index < len(row.cells)]
@@ -35,7 +34,7 @@ def lookups_regular(device: Device) -> Iterator[Diagnostic]:
                 yield from _of_column(lookup, column.name, numbers)
 
 
-def _of_column(lookup: Lookup, name: str, numbers: Sequence[int]) -> Iterator[Diagnostic]:
+def _of_column(lookup: Lookup, name: str, numbers: Sequence[int]) -> Findings:
     for odd in (_counting(numbers), _rising(numbers)):
         if odd and len(odd) * _SMALL <= len(numbers):
             for index, right in odd.items():
@@ -43,7 +42,7 @@ def _of_column(lookup: Lookup, name: str, numbers: Sequence[int]) -> Iterator[Di
                 text = f"{name} is {numbers[index]}, but its column continues with {right}"
                 related_label = label(before.place, "cells", "the row before")
                 help = "correct the cell, or allow it with a reason"
-                yield finding("lookups_regular", row.place, "cells", text, help, related_label)
+                yield finding(row.place, "cells", text, help, related_label)
             return
 
 

@@ -11,13 +11,9 @@ a scanned PDF; or `url` and `read` for a page on the web.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import enumeration, finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding
 from fieldspec.language.model.device import Device
 
-_CODE = "manual_identified"
 _FORMS = (("file", "sha256", "lines"), ("file", "sha256", "pages"), ("url", "read"))
 _HELP = (
     "a text has `file`, `sha256` and `lines`, a document `file`, `sha256` and `pages`, "
@@ -25,7 +21,7 @@ _HELP = (
 )
 
 
-def manual_identified(device: Device) -> Iterator[Diagnostic]:
+def manual_identified(device: Device) -> Findings:
     keys = {key for form in _FORMS for key in form if getattr(device.manual, key)}
     if keys in map(set, _FORMS):
         return
@@ -33,4 +29,4 @@ def manual_identified(device: Device) -> Iterator[Diagnostic]:
     missing = [f"`{key}`" for key in form if key not in keys]
     surplus = [f"`{key}`" for key in sorted(keys.difference(form))]
     text = f"has no {enumeration(missing)}" if missing else f"has {enumeration(surplus)} beside `{form[-1]}`"
-    yield finding(_CODE, device.place, "manual", f"the manual of {device.id} {text}", _HELP)
+    yield finding(device.place, "manual", f"the manual of {device.id} {text}", _HELP)

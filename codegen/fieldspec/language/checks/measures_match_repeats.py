@@ -11,22 +11,19 @@ Fix: Correct the range or the repetitions, and write an erratum for the misprint
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, interval, label, range_key
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, interval, label, range_key
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.value import Value
 
-_CODE = "measures_match_repeats"
 _KEYS = ("const", "default", "unit_default", "scale", "offset", "enum", "flags", "sentinels", "parameter")
 
 
-def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
+def measures_match_repeats(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
@@ -37,24 +34,24 @@ def measures_match_repeats(device: Device) -> Iterator[Diagnostic]:
                 text = f"{field.name} counts {field.measures.of} of {field.measures.field}, and {field.value.type.name}"
                 help = "use a type without a sign, or allow it with a reason"
                 severity = Severity.WARNING
-                yield finding(_CODE, field.place, "type", f"{text} has a sign", help, severity=severity)
+                yield finding(field.place, "type", f"{text} has a sign", help, severity=severity)
 
 
-def _of_number(field: Field, value: Value) -> Iterator[Diagnostic]:
+def _of_number(field: Field, value: Value) -> Findings:
     """The findings of a field that measures another one and is not a number that encoders compute."""
     assert field.measures is not None
     statement = f"{field.name} counts {field.measures.of} of {field.measures.field}"
     if field.measures.field == field.name:
-        yield finding(_CODE, field.place, "measures", f"{field.name} measures itself", "name another field")
+        yield finding(field.place, "measures", f"{field.name} measures itself", "name another field")
     if not is_count(value.encoding):
-        yield finding(_CODE, field.place, "type", f"{statement}, and is {value.type.name}", "use a whole number")
+        yield finding(field.place, "type", f"{statement}, and is {value.type.name}", "use a whole number")
     for key in _KEYS:
         if key in field.place:
             text = f"{statement}, which encoders compute, so that `{key}` does not apply"
-            yield finding(_CODE, field.place, key, text, "remove it, or remove `measures`")
+            yield finding(field.place, key, text, "remove it, or remove `measures`")
 
 
-def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[Diagnostic]:
+def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Findings:
     ranges = field.value.ranges if field.value is not None else None
     measured = layer.named(field.measures.field) if field.measures is not None else None
     if ranges is None or measured is None or measured.repeat is None or field.measures is None:
@@ -66,7 +63,6 @@ def _compare_sizes(layer: Record, field: Field, sizes: RecordSizes) -> Iterator[
     low, high = measured.repeat.low * size + plus, measured.repeat.high * size + plus
     if (ranges.low, ranges.high) != (low, high):
         yield finding(
-            _CODE,
             field.place,
             range_key(field.place),
             f"{field.name} has the range {ranges.text()}, but {measured.name}"

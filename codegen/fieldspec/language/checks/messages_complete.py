@@ -16,20 +16,15 @@ response with its code in a constant at one common offset.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link
 from fieldspec.language.model.record import Message, Record
 from fieldspec.language.model.sizes import RecordSizes, coded, messages_on, sent_on
 from fieldspec.language.model.subcodes import Numbers, Place, distinct_place, numbers_at
 
-_CODE = "messages_complete"
 
-
-def messages_complete(device: Device) -> Iterator[Diagnostic]:
+def messages_complete(device: Device) -> Findings:
     for link in device.links.values():
         yield from _coded(device, link) if coded(link) else _numbered(device, link)
     for message in device.messages.values():
@@ -38,14 +33,14 @@ def messages_complete(device: Device) -> Iterator[Diagnostic]:
         yield from _check_response_code(device, message)
 
 
-def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _coded(device: Device, link: Link) -> Findings:
     by_code: dict[int, list[Message]] = {}
     for message in messages_on(device, link):
         code = message.code_of("request")
         if code is None:
             text = f"{message.name} has no code"
             help = "state its `code`, or name the links without codes on which it is sent"
-            yield finding(_CODE, message.place, "code", text, help)
+            yield finding(message.place, "code", text, help)
             continue
         by_code.setdefault(code, []).append(message)
     sizes = RecordSizes(device)
@@ -54,7 +49,7 @@ def _coded(device: Device, link: Link) -> Iterator[Diagnostic]:
     yield from _unrequested(device, sizes, link)
 
 
-def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iterator[Diagnostic]:
+def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Findings:
     """Several messages have a code: the numbers of a field in their requests tell them apart."""
     places = [_places(device, sizes, message.request) for message in messages]
     if len(messages) < 2 or distinct_place(places) is not None:
@@ -73,10 +68,10 @@ def _shared(device: Device, sizes: RecordSizes, messages: list[Message]) -> Iter
         help += " of one size, or a byte with a `range` of its own"
     if bool(message.request.fields) != bool(other.request.fields):
         help += "; if only their sizes differ, state one message, and these fields as a record with `repeat: 0..1`"
-    yield finding(_CODE, message.place, "code", text, help, label(other.place, "code", other.name))
+    yield finding(message.place, "code", text, help, label(other.place, "code", other.name))
 
 
-def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Diagnostic]:
+def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Findings:
     """Unrequested messages are identified without a request."""
     answered_messages = [message for message in messages_on(device, link) if message.is_answered_on(link.name)]
     is_coded = any(part.role == "code" for part in link.response)
@@ -84,7 +79,7 @@ def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Dia
         if not is_coded:
             text = f"no code or constant identifies {message.name} on {link.name}, which only the device sends"
             help = "give a part of `response` the role `code`, or name under `links` only links without codes"
-            yield finding(_CODE, message.place, "requested", text, help)
+            yield finding(message.place, "requested", text, help)
             continue
         code = message.code_of("response")
         same = [other for other in answered_messages if other is not message and other.code_of("response") == code]
@@ -93,7 +88,7 @@ def _unrequested(device: Device, sizes: RecordSizes, link: Link) -> Iterator[Dia
             text = f"{message.name} is unrequested, and looks like the response to {same[0].name}"
             help = "correct one of the codes, or give each of them a field with a `const` at the same place"
             related_label = label(same[0].place, "code", same[0].name)
-            yield finding(_CODE, message.place, "requested", text, help, related_label)
+            yield finding(message.place, "requested", text, help, related_label)
 
 
 def _places(device: Device, sizes: RecordSizes, record: Record) -> dict[Place, Numbers]:
@@ -102,17 +97,17 @@ def _places(device: Device, sizes: RecordSizes, record: Record) -> dict[Place, N
     return dict(place_and_numbers for place_and_numbers in places if place_and_numbers is not None)
 
 
-def _numbered(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _numbered(device: Device, link: Link) -> Findings:
     first: dict[int, Message] = {}
     for message in messages_on(device, link):
         other = first.setdefault(message.number, message) if message.number is not None else message
         if other is not message:
             text = f"{message.name} and {other.name} have the number {message.number}"
             related_label = label(other.place, "number", other.name)
-            yield finding(_CODE, message.place, "number", text, "correct one of the numbers", related_label)
+            yield finding(message.place, "number", text, "correct one of the numbers", related_label)
 
 
-def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
+def _check_answers(device: Device, message: Message) -> Findings:
     """A message is answered only where it is sent, and one that reads is answered wherever it is sent."""
     if message.answered_on is None:
         return
@@ -120,26 +115,26 @@ def _check_answers(device: Device, message: Message) -> Iterator[Diagnostic]:
         link = device.links.get(name)
         if link is not None and not sent_on(link, message):
             text = f"{message.name} is answered on {name}, but not sent there"
-            yield finding(_CODE, message.place, "answered_on", text, "leave the link out, or add it to `links`")
+            yield finding(message.place, "answered_on", text, "leave the link out, or add it to `links`")
     link_names = [link.name for link in device.links.values() if sent_on(link, message)]
     silent = [name for name in link_names if not message.is_answered_on(name)]
     if not silent:
         return
     if any(access.operation == "read" for access in message.accesses):
         text = f"{message.name} reads, but is not answered on {', '.join(silent)}"
-        yield finding(_CODE, message.place, "answered_on", text, "remove `accesses`, or `answered_on`")
+        yield finding(message.place, "answered_on", text, "remove `accesses`, or `answered_on`")
     if message.number is not None and message.code is None:
         text = f"{message.name} has no code: its request and its response are sent without each other"
         help = "remove `answered_on`, and add `response: []` if there is none"
-        yield finding(_CODE, message.place, "answered_on", text, help)
+        yield finding(message.place, "answered_on", text, help)
     printed = ("frame_length", message.response_length), ("data_words", message.response_words)
     for key, stated in printed:
         if stated is not None and not message.is_answered:
             text = f"{message.name} is never answered, but `{key}` has a response"
-            yield finding(_CODE, message.place, key, text, "remove the response there, or `answered_on`")
+            yield finding(message.place, key, text, "remove the response there, or `answered_on`")
 
 
-def _check_response_code(device: Device, message: Message) -> Iterator[Diagnostic]:
+def _check_response_code(device: Device, message: Message) -> Findings:
     """Some response has a code in which the response code can be."""
     if message.response_code is None:
         return
@@ -148,10 +143,10 @@ def _check_response_code(device: Device, message: Message) -> Iterator[Diagnosti
         names = ", ".join(link.name for link in links)
         text = f"{message.name} has a `response_code`, but responses on {names} have no code"
         help = "remove it, or add the part with the role `code` to `response` of the link"
-        yield finding(_CODE, message.place, "response_code", text, help)
+        yield finding(message.place, "response_code", text, help)
 
 
-def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]:
+def _check_supplements(device: Device, message: Message) -> Findings:
     """A message that supplements others is not supplemented itself, and shares a link with each of them."""
     for name in message.supplements:
         other = device.messages.get(name)
@@ -163,4 +158,4 @@ def _check_supplements(device: Device, message: Message) -> Iterator[Diagnostic]
             text = f"{message.name} is sent beside {name}, but {reason}"
             related_label = label(other.place, "supplements" if other.supplements else "name", name)
             help = "name messages of the same link that are sent alone"
-            yield finding(_CODE, message.place, "supplements", text, help, related_label)
+            yield finding(message.place, "supplements", text, help, related_label)

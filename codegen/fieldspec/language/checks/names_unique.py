@@ -18,8 +18,7 @@ from functools import lru_cache
 from fieldspec.foundation.names import Name
 from fieldspec.foundation.reserved import TARGETS
 from fieldspec.language.checks.facts import cases, layers
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Place
 
@@ -28,7 +27,7 @@ _Named = tuple[str, Place]
 _RESERVED = frozenset(word for target in TARGETS.values() for word in target.words)
 
 
-def names_unique(device: Device) -> Iterator[Diagnostic]:
+def names_unique(device: Device) -> Findings:
     for space_name, names in _spaces(device):
         yield from _apart(space_name, names)
     yield from _elements(device)
@@ -85,7 +84,7 @@ def _types(device: Device) -> Iterator[_Named]:
         yield f"{message.name}_response", message.place
 
 
-def _apart(space_name: str, names: Iterable[_Named]) -> Iterator[Diagnostic]:
+def _apart(space_name: str, names: Iterable[_Named]) -> Findings:
     first: dict[str, _Named] = {}
     for name, place in names:
         for case in _cases(name):
@@ -96,7 +95,7 @@ def _apart(space_name: str, names: Iterable[_Named]) -> Iterator[Diagnostic]:
                 else:
                     text = f"`{name}` and `{other}` of {space_name} become the same name in an output"
                 there_too = label(other_place, "name", f"`{other}`")
-                yield finding("names_unique", place, "name", text, "rename one of them", there_too)
+                yield finding(place, "name", text, "rename one of them", there_too)
                 break
 
 
@@ -114,7 +113,7 @@ def _cases(name: str) -> frozenset[str]:
     return frozenset((snake, pascal, folded, *legal_names))
 
 
-def _paths(device: Device) -> Iterator[Diagnostic]:
+def _paths(device: Device) -> Findings:
     """A path leaves out the group of a register, so that the two must not have one name."""
     groups = {group.name: group for group in device.groups}
     for register in device.registers():
@@ -122,10 +121,10 @@ def _paths(device: Device) -> Iterator[Diagnostic]:
         if group is not None:
             text = f"`registers/{register.name}` is the path of a register and of a group"
             related_label = label(group.place, "group", "the group")
-            yield finding("names_unique", register.place, "name", text, "rename one of them", related_label)
+            yield finding(register.place, "name", text, "rename one of them", related_label)
 
 
-def _elements(device: Device) -> Iterator[Diagnostic]:
+def _elements(device: Device) -> Findings:
     """Elements of arrays are called after the array and their number, and are registers too."""
     arrays = {register.name: register for register in device.registers() if register.count > 1}
     for register in device.registers():
@@ -136,4 +135,4 @@ def _elements(device: Device) -> Iterator[Diagnostic]:
         if array.index_from <= int(number) < array.index_from + array.count:
             text = f"`{register.name}` is also an element of the array `{stem}`"
             related_label = label(array.place, "name", f"it has {array.count} elements")
-            yield finding("names_unique", register.place, "name", text, "rename one of them", related_label)
+            yield finding(register.place, "name", text, "rename one of them", related_label)

@@ -13,19 +13,16 @@ the missing row.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
 from itertools import pairwise
 
-from fieldspec.language.checks.finding import finding, hexadecimal, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Register
 
-_CODE = "numbers_regular"
 _HELP = "correct the address or the number"
 
 
-def numbers_regular(device: Device) -> Iterator[Diagnostic]:
+def numbers_regular(device: Device) -> Findings:
     for group in device.groups:
         rows = [(row.number, row) for row in group.registers if row.number is not None]
         first: dict[int, Register] = {}
@@ -34,11 +31,11 @@ def numbers_regular(device: Device) -> Iterator[Diagnostic]:
             if other is not row:
                 text = f"{other.name} and {row.name} have the number {number}"
                 related_label = label(other.place, "number", other.name)
-                yield finding(_CODE, row.place, "number", text, _HELP, related_label)
+                yield finding(row.place, "number", text, _HELP, related_label)
         yield from _uneven(list(first.items()))
 
 
-def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
+def _uneven(rows: list[tuple[int, Register]]) -> Findings:
     """The findings of rows whose address is not the one that most rows give their number."""
     if len(rows) < 2:
         return
@@ -58,4 +55,4 @@ def _uneven(rows: list[tuple[int, Register]]) -> Iterator[Diagnostic]:
             right_place = hexadecimal(int(right)) if right.denominator == 1 else f"{float(right):.1f}"
             text = f"{row.name} is number {number} at {hexadecimal(row.address)}, but the others give {right_place}"
             related_label = label(usual.place, "number", f"{usual.name} is one of the others")
-            yield finding(_CODE, row.place, "at", text, _HELP, related_label)
+            yield finding(row.place, "at", text, _HELP, related_label)

@@ -10,19 +10,14 @@ Fix: Correct the position or a width, and write an erratum if the manual prints 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, hexadecimal, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, hexadecimal, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.sizes import RecordSizes
 
-_CODE = "offsets_match_layout"
 
-
-def offsets_match_layout(device: Device) -> Iterator[Diagnostic]:
+def offsets_match_layout(device: Device) -> Findings:
     sizes = RecordSizes(device)
     tables: dict[str, list[Table]] = {}
     for table in device.tables.values():
@@ -34,14 +29,13 @@ def offsets_match_layout(device: Device) -> Iterator[Diagnostic]:
         for field in layer.fields[len(placed) :] if layer.name not in sizes.endless else ():
             if field.at is not None:
                 text = f"{field.name} is printed at {hexadecimal(field.at)}, but {placed[-1][0].name} before it"
-                yield finding(_CODE, field.place, "at", f"{text} has no fixed size", "remove it")
+                yield finding(field.place, "at", f"{text} has no fixed size", "remove it")
         for field, offset in placed:
             if field.at is None:
                 continue
             if offset % 2 or field.at - offset // 2 not in bases:
                 right = f"byte {offset} of {layer.name}" if offset % 2 else hexadecimal(bases[0] + offset // 2)
                 yield finding(
-                    _CODE,
                     field.place,
                     "at",
                     f"{field.name} is printed at {hexadecimal(field.at)}, but it is at {right}",

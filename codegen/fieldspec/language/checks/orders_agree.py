@@ -18,8 +18,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.language.checks.facts import cases, layers, nested_fields, values
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.record import Case, Field, Record
@@ -27,10 +26,8 @@ from fieldspec.language.model.registers import Register
 from fieldspec.language.model.sizes import messages_on
 from fieldspec.language.model.value import Value
 
-_CODE = "orders_agree"
 
-
-def orders_agree(device: Device) -> Iterator[Diagnostic]:
+def orders_agree(device: Device) -> Findings:
     links = list(device.links.values())
     for key in ("byte_order", "word_order"):
         ordered = [link for link in links if getattr(link, key)]
@@ -39,13 +36,13 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
                 text = f"the links {ordered[0].name} and {link.name} have different orders"
                 help = "a device has one order; correct one of the links"
                 related_label = label(ordered[0].place, key, f"in {ordered[0].name}")
-                yield finding(_CODE, link.place, key, text, help, related_label)
+                yield finding(link.place, key, text, help, related_label)
     if links and not any(link.word_order for link in links) and _has_words(device):
         for fact, value in values(device):
             if value.has_words and not value.word_order and not isinstance(fact, Part):
                 text = f"{fact.name} has several words, but no link states the word order"
                 related_label = label(fact.place, "type", f"{value.type.name} has {value.size} bytes")
-                yield finding(_CODE, links[0].place, "word_order", text, "add `word_order` to the link", related_label)
+                yield finding(links[0].place, "word_order", text, "add `word_order` to the link", related_label)
                 return
     for link in links:
         yield from _in_words(device, link)
@@ -54,19 +51,19 @@ def orders_agree(device: Device) -> Iterator[Diagnostic]:
             yield from _of_write(device, register)
 
 
-def _of_write(device: Device, register: Register) -> Iterator[Diagnostic]:
+def _of_write(device: Device, register: Register) -> Findings:
     """Whether the order of a register's words differs between writing and reading."""
     value, key = register.value, "write_word_order"
     if register.access == "ro":
         text = f"{register.name} is read-only, so that its words are never written"
         related_label = label(register.place, "access", "its access")
-        yield finding(_CODE, register.place, key, text, "correct one of them", related_label)
+        yield finding(register.place, key, text, "correct one of them", related_label)
     elif value.write_word_order == (value.word_order or device.word_order or value.byte_order or device.byte_order):
         text = f"the words of {register.name} are read in the same order"
-        yield finding(_CODE, register.place, key, text, "remove it, or correct the `word_order`")
+        yield finding(register.place, key, text, "remove it, or correct the `word_order`")
 
 
-def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
+def _in_words(device: Device, link: Link) -> Findings:
     """A link on which data are counted in words, or values have words, says itself which word of a number comes first.
 
     Where no link exchanges words, values need no word order.
@@ -82,12 +79,12 @@ def _in_words(device: Device, link: Link) -> Iterator[Diagnostic]:
                 text = f"{field.name} has several words, but {link.name} does not state the word order"
                 if isinstance(field, Field) and field.word_span is not None:
                     related_label = label(field.place, "word_span", "the words")
-                    yield finding(_CODE, link.place, "word_order", text, "add `word_order` to the link", related_label)
+                    yield finding(link.place, "word_order", text, "add `word_order` to the link", related_label)
                     return
                 if other is not None:
                     related_label = label(other.place, "word_order", f"{other.name} exchanges the words")
                     help = "add `word_order` to the value, or to the link for all values of several words"
-                    yield finding(_CODE, field.place, "type", text, help, related_label)
+                    yield finding(field.place, "type", text, help, related_label)
                     return
 
 

@@ -12,22 +12,18 @@ Fix: Use the next wider type, count the elements, or remove `packed_bits`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import layers, nested_fields
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Whole
 from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.value import Value
 
-_CODE = "packed_lists_complete"
 _KEY = "packed_bits"
 _MOST_BITS = 32
 
 
-def packed_lists_complete(device: Device) -> Iterator[Diagnostic]:
+def packed_lists_complete(device: Device) -> Findings:
     for layer in layers(device):
         for field in layer.fields:
             if _KEY not in field.place:
@@ -35,7 +31,7 @@ def packed_lists_complete(device: Device) -> Iterator[Diagnostic]:
             problem = _problem(field) if field.value is not None else "has several types, of which none is a list"
             if problem:
                 help = f"remove `{_KEY}`, or correct the type"
-                yield finding(_CODE, field.place, _KEY, f"{field.name} {problem}", help)
+                yield finding(field.place, _KEY, f"{field.name} {problem}", help)
             elif field.value is not None:
                 yield from _of_end(layer, field, field.value)
     for table in device.tables.values():
@@ -44,7 +40,7 @@ def packed_lists_complete(device: Device) -> Iterator[Diagnostic]:
             if field.value is not None and field.value.packed_bits:
                 text = f"{field.name} has packed numbers, but {table.name} is a table of registers"
                 related_label = label(table.place, "record", "the table")
-                yield finding(_CODE, field.place, _KEY, text, "state them as registers with bits", related_label)
+                yield finding(field.place, _KEY, text, "state them as registers with bits", related_label)
 
 
 def _problem(field: Field) -> str:
@@ -74,13 +70,13 @@ def _use(field: Field, value: Value) -> str:
     return next((use for use, applies in uses.items() if applies), "")
 
 
-def _of_end(layer: Record, field: Field, value: Value) -> Iterator[Diagnostic]:
+def _of_end(layer: Record, field: Field, value: Value) -> Findings:
     """The findings of the end of a list."""
     for other in layer.fields:
         if other.measures is not None and other.measures.field == field.name and other.measures.of == "bytes":
             text = f"{other.name} counts the bytes of {field.name}, whose numbers have {value.packed_bits} bits"
             help = f"count the elements: `measures: {{items: {field.name}}}`"
-            yield finding(_CODE, other.place, "measures", text, help)
+            yield finding(other.place, "measures", text, help)
     if field.repeat is not None and field is layer.fields[-1] and value.packed_bits < 8:
         text = f"the zeros after the last of {field.name} can be a number of {value.packed_bits} bits"
-        yield finding(_CODE, field.place, "repeat", text, "state its `count`")
+        yield finding(field.place, "repeat", text, "state its `count`")

@@ -17,8 +17,7 @@ from collections.abc import Iterator
 
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import cases
-from fieldspec.language.checks.finding import finding, label, near
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, near
 from fieldspec.language.model.access import readable, writable
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_octets
@@ -29,16 +28,14 @@ from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.registers import Parameter, ParameterSet
 from fieldspec.language.model.value import ParameterSizes, Value
 
-_CODE = "parameter_bytes_complete"
 
-
-def parameter_bytes_complete(device: Device) -> Iterator[Diagnostic]:
+def parameter_bytes_complete(device: Device) -> Findings:
     for record in device.records.values():
         for field in record.fields:
             for value in (field.value, *(case.value for case in cases(field))):
                 if _part(value) == "value" and _has_bytes(value):
                     text = f"{field.name} has the value of a parameter in bytes, and is in a record"
-                    yield finding(_CODE, field.place, "parameter", text, "state it as a field of the message")
+                    yield finding(field.place, "parameter", text, "state it as a field of the message")
     for message in device.messages.values():
         for direction in (message.request, message.response):
             for field in direction.fields:
@@ -55,11 +52,11 @@ def _has_bytes(value: Value | None) -> bool:
     return value is not None and is_octets(value.encoding)
 
 
-def _of_field(device: Device, record: Record, field: Field) -> Iterator[Diagnostic]:
+def _of_field(device: Device, record: Record, field: Field) -> Findings:
     for case in cases(field):
         if _part(case.value) == "value" and _has_bytes(case.value):
             text = f"{case.name} has the value of a parameter in bytes, and {field.name} has several types"
-            yield finding(_CODE, case.place, "type", text, "use one type of bytes with `sizes`, or types of numbers")
+            yield finding(case.place, "type", text, "use one type of bytes with `sizes`, or types of numbers")
     value = field.value
     part = value.parameter if value is not None else None
     if value is None or part is None:
@@ -67,49 +64,49 @@ def _of_field(device: Device, record: Record, field: Field) -> Iterator[Diagnost
     carries = part.part == "value" and _has_bytes(value)
     if carries and (field.count is not None or field.repeat is not None):
         text = f"{field.name} has the value of a parameter in bytes, and is a list"
-        yield finding(_CODE, field.place, "type", text, "use one field of bytes, with their number as its `length`")
+        yield finding(field.place, "type", text, "use one field of bytes, with their number as its `length`")
     if part.sizes is None:
         return
     if not carries:
         text = f"{field.name} does not have the value of a parameter in bytes"
-        yield finding(_CODE, field.place, "parameter", text, "remove `sizes`, or use `part: value` and `type: bytes`")
+        yield finding(field.place, "parameter", text, "remove `sizes`, or use `part: value` and `type: bytes`")
         return
     before = {own.name: own for own in record.fields[: record.fields.index(field)]}
     selector = before.get(part.sizes.by)
     if selector is None:
         text = f"there is no field `{part.sizes.by}` before {field.name}"
-        yield finding(_CODE, field.place, "parameter", text, near(part.sizes.by, before))
+        yield finding(field.place, "parameter", text, near(part.sizes.by, before))
         return
     enum = device.enums.get(selector.value.enum) if selector.value is not None else None
     if enum is None or selector.count is not None or selector.repeat is not None:
         text = f"{selector.name} has no enum that says how many bytes of {field.name} count"
-        yield finding(_CODE, field.place, "parameter", text, "give it an `enum`, and name its members in the cases")
+        yield finding(field.place, "parameter", text, "give it an `enum`, and name its members in the cases")
         return
     yield from _of_sizes(field, value.size, part.sizes, enum)
 
 
-def _of_sizes(field: Field, size: int, sizes: ParameterSizes, enum: Enum) -> Iterator[Diagnostic]:
+def _of_sizes(field: Field, size: int, sizes: ParameterSizes, enum: Enum) -> Findings:
     names: set[str] = set()
     numbers: set[int] = set()
     for case in sizes.cases:
         for name in case.when:
             if enum.named(name) is None:
                 text = f"{enum.name} has no member `{name}`"
-                yield finding(_CODE, field.place, "parameter", text, near(name, [own.name for own in enum.members]))
+                yield finding(field.place, "parameter", text, near(name, [own.name for own in enum.members]))
             elif name in names:
                 text = f"{name} stands for two numbers of bytes"
-                yield finding(_CODE, field.place, "parameter", text, "name each member once")
+                yield finding(field.place, "parameter", text, "name each member once")
             names.add(name)
         if case.bytes > size:
             text = f"{field.name} has {plural(size, 'byte')}, not {case.bytes}"
-            yield finding(_CODE, field.place, "parameter", text, "correct the case, or the `length` of the field")
+            yield finding(field.place, "parameter", text, "correct the case, or the `length` of the field")
         elif case.bytes in numbers:
             text = f"two cases are for {plural(case.bytes, 'byte')}"
-            yield finding(_CODE, field.place, "parameter", text, "name all members in one case, the one to write first")
+            yield finding(field.place, "parameter", text, "name all members in one case, the one to write first")
         numbers.add(case.bytes)
 
 
-def _of_set(device: Device, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+def _of_set(device: Device, parameter_set: ParameterSet) -> Findings:
     """The values of a set against the numbers of bytes that messages read and write."""
     names = (parameter_set.name, parameter_set.space)
     messages = device.messages.values()
@@ -134,7 +131,7 @@ def _of_set(device: Device, parameter_set: ParameterSet) -> Iterator[Diagnostic]
                     text = f"{fact.name or parameter.name} has {actual_size}, and no message can {verb} as many"
                     related_label = label(carriers[0].place, "name", "a field with the values of these parameters")
                     help = "correct the type, or state a message that carries it, or `segments`"
-                    yield finding(_CODE, fact.place, "type", text, help, related_label)
+                    yield finding(fact.place, "type", text, help, related_label)
 
 
 def _carrier(record: Record, names: tuple[str, ...]) -> Field | None:

@@ -13,21 +13,19 @@ Fix: Add the missing messages, and write an erratum. If the parameter really has
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Parameter
 from fieldspec.language.model.value import Conversion
 
-_CODE = "parameter_messages_complete"
-
 _Signals = Mapping[str, frozenset[tuple[str, str]]]
 """By the name of a message, its signals with their directions."""
 
 
-def parameter_messages_complete(device: Device) -> Iterator[Diagnostic]:
+def parameter_messages_complete(device: Device) -> Findings:
     carried = _carried(device)
     references: dict[str, list[Conversion]] = {}
     for conversion in device.conversions.values():
@@ -52,7 +50,7 @@ def _carried(device: Device) -> _Signals:
     }
 
 
-def _wider(device: Device, parameter: Parameter, carried: _Signals) -> Iterator[Diagnostic]:
+def _wider(device: Device, parameter: Parameter, carried: _Signals) -> Findings:
     for name, signals in carried.items():
         narrower = [message for message in parameter.messages if carried.get(message) and carried[message] <= signals]
         if name not in parameter.messages and narrower:
@@ -60,9 +58,7 @@ def _wider(device: Device, parameter: Parameter, carried: _Signals) -> Iterator[
             yield _finding(device, parameter, name, text)
 
 
-def _referring(
-    device: Device, parameter: Parameter, conversions: list[Conversion], carried: _Signals
-) -> Iterator[Diagnostic]:
+def _referring(device: Device, parameter: Parameter, conversions: list[Conversion], carried: _Signals) -> Findings:
     for conversion in conversions:
         for name, signals in carried.items():
             shared = sorted(signal for _, signal in signals if signal in conversion.signals)
@@ -75,4 +71,4 @@ def _referring(
 def _finding(device: Device, parameter: Parameter, name: str, text: str) -> Diagnostic:
     related_label = label(device.messages[name].place, "name", name)
     help = "add the message under `messages`, or allow it with a reason"
-    return finding(_CODE, parameter.place, "messages", text, help, related_label)
+    return finding(parameter.place, "messages", text, help, related_label)

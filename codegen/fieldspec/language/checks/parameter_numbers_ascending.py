@@ -12,18 +12,16 @@ after them. A set that states its `numbers` may describe only some of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import pairwise
 
-from fieldspec.language.checks.finding import finding, interval, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, interval, label
 from fieldspec.language.model.device import Device
 
 _FEW = 4
 """The number of steps of which at most one may skip; otherwise, the list has gaps by design."""
 
 
-def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
+def parameter_numbers_ascending(device: Device) -> Findings:
     for parameter_set in device.parameters.values():
         pairs = list(pairwise(parameter_set.parameters))
         skips = sum(following.number > before.number + before.count for before, following in pairs)
@@ -39,4 +37,4 @@ def parameter_numbers_ascending(device: Device) -> Iterator[Diagnostic]:
                 text = f"parameter {number} is listed after {last}"
                 help = "correct one of the numbers"
             related_label = label(before.place, "number", f"the one before is {last}")
-            yield finding("parameter_numbers_ascending", parameter.place, "number", text, help, related_label)
+            yield finding(parameter.place, "number", text, help, related_label)

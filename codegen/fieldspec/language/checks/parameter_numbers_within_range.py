@@ -12,13 +12,11 @@ only some parameters of a set, state all numbers under `numbers`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.addresses import wire_numbers
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import enumeration, finding, interval, label, range_key
-from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.checks.finding import Findings, enumeration, finding, interval, label, range_key
+from fieldspec.language.diagnostics import Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
@@ -27,10 +25,8 @@ from fieldspec.language.model.record import Field
 from fieldspec.language.model.registers import ParameterSet
 from fieldspec.language.model.value import Value
 
-_CODE = "parameter_numbers_within_range"
 
-
-def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
+def parameter_numbers_within_range(device: Device) -> Findings:
     for parameter_set in device.parameters.values():
         yield from _set_numbers(parameter_set)
     for fact, value in values(device):
@@ -44,7 +40,7 @@ def parameter_numbers_within_range(device: Device) -> Iterator[Diagnostic]:
             yield from _field_numbers(fact, sets[0])
 
 
-def _set_numbers(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+def _set_numbers(parameter_set: ParameterSet) -> Findings:
     numbers = parameter_set.numbers
     if numbers is None:
         return
@@ -54,10 +50,10 @@ def _set_numbers(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
         if not any(low <= parameter.number and last <= high for low, high in permitted):
             text = f"{parameter_set.name} has the numbers {numbers.text()}, not {interval(parameter.number, last)}"
             related_label = label(parameter_set.place, "numbers", "the numbers")
-            yield finding(_CODE, parameter.place, "number", text, "correct the number or the set", related_label)
+            yield finding(parameter.place, "number", text, "correct the number or the set", related_label)
 
 
-def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+def _field_numbers(field: Field, parameter_set: ParameterSet) -> Findings:
     """Whether a field has one value for each number of a set, and each parameter has one value."""
     parameter_count = sum(parameter.count for parameter in parameter_set.parameters)
     ranges = field.repeat or Ranges(((field.count or 1, field.count or 1),))
@@ -68,7 +64,7 @@ def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagno
         instead = " instead of `repeat`" if key == "repeat" else ""
         help = f"state `count: {parameter_count}`{instead}" if parameter_count > 1 else f"remove `{key}`"
         help += ", or correct the list"
-        yield finding(_CODE, field.place, key, text, help, _list(parameter_set))
+        yield finding(field.place, key, text, help, _list(parameter_set))
     parameter = next(
         (candidate for candidate in parameter_set.parameters if candidate.elements or candidate.subindices), None
     )
@@ -76,10 +72,10 @@ def _field_numbers(field: Field, parameter_set: ParameterSet) -> Iterator[Diagno
         text = f"{field.name} has one value for each parameter, but {parameter.name} has elements"
         help = "read the elements by messages of their own, or state them as parameters"
         related_label = label(parameter.place, "elements" if parameter.elements else "subindices", "the elements")
-        yield finding(_CODE, field.place, "parameter", text, help, related_label)
+        yield finding(field.place, "parameter", text, help, related_label)
 
 
-def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Iterator[Diagnostic]:
+def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSet]) -> Findings:
     """A field's range against the numbers on the wire, or, where it has none, its type."""
     if not is_count(value.encoding):
         return
@@ -97,7 +93,7 @@ def _compare_numbers(fact: Fact, value: Value, name: str, sets: list[ParameterSe
             faults.append(f"takes {enumeration([interval(*hole) for hole in unlisted])}, which {name} does not list")
         key = range_key(fact.place) if value.ranges is not None else "type"
         text = f"the {'range' if value.ranges is not None else 'type'} of {fact.name} {' and '.join(faults)}"
-        yield finding(_CODE, fact.place, key, text, "correct the range or the list", _list(sets[0]))
+        yield finding(fact.place, key, text, "correct the range or the list", _list(sets[0]))
 
 
 def _list(parameter_set: ParameterSet) -> Label:

@@ -13,23 +13,20 @@ Fix: Correct the type of the parameter or of the field. Name the field with the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.source import Span
 from fieldspec.language.checks.facts import cases, fields
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_octets
 from fieldspec.language.model.record import Field
 
-_CODE = "parameters_fit_messages"
 _VALUES = ("value", "values")
 _BARRED = ("scale", "offset", "flags", "count", "repeat", "reserved")
 """Keys that a field with a single number, subindex or value of a parameter cannot have."""
 
 
-def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
+def parameters_fit_messages(device: Device) -> Findings:
     yield from _references(device)
     carriers: dict[str, list[tuple[int, Field]]] = {}
     for field in fields(device):
@@ -50,10 +47,10 @@ def parameters_fit_messages(device: Device) -> Iterator[Diagnostic]:
                 text = f"{parameter.name} has {parameter.value.size} bytes, which no message can carry"
                 related_label = label(field.place, "name", "a field with the values of these parameters")
                 help = "correct the type of the parameter or of the field"
-                yield finding(_CODE, parameter.place, "type", text, help, related_label, severity=Severity.WARNING)
+                yield finding(parameter.place, "type", text, help, related_label, severity=Severity.WARNING)
 
 
-def _references(device: Device) -> Iterator[Diagnostic]:
+def _references(device: Device) -> Findings:
     """The findings of fields with numbers, subindices and values, and of the numbers that they name."""
     for record in device.records.values():
         yield from _of_layer(device, record.fields, record.fields)
@@ -63,7 +60,7 @@ def _references(device: Device) -> Iterator[Diagnostic]:
         yield from _of_layer(device, response_fields, (*response_fields, *request_fields))
 
 
-def _of_layer(device: Device, layer: tuple[Field, ...], known: tuple[Field, ...]) -> Iterator[Diagnostic]:
+def _of_layer(device: Device, layer: tuple[Field, ...], known: tuple[Field, ...]) -> Findings:
     for field in layer:
         part = field.value.parameter if field.value is not None else None
         if part is None or part.part == "values":
@@ -71,14 +68,12 @@ def _of_layer(device: Device, layer: tuple[Field, ...], known: tuple[Field, ...]
         for key in _BARRED:
             if key in field.place:
                 text = f"{field.name} is the {part.part} of a parameter of {part.set}, to which `{key}` does not apply"
-                yield finding(_CODE, field.place, key, text, f"remove `{key}`; the rows of {part.set} have such keys")
+                yield finding(field.place, key, text, f"remove `{key}`; the rows of {part.set} have such keys")
         number_fields = [other for other in known if other.name == part.number]
         if number_fields and not any(_has_number(device, other, part.set) for other in number_fields):
             text = f"{part.number} has no number of {part.set}, of which {field.name} is the {part.part}"
             help = f"name a field with `parameter: {{set: {part.set}, part: number}}`"
-            yield finding(
-                _CODE, field.place, "parameter", text, help, label(number_fields[0].place, "name", "the field")
-            )
+            yield finding(field.place, "parameter", text, help, label(number_fields[0].place, "name", "the field"))
 
 
 def _has_number(device: Device, field: Field, name: str) -> bool:

@@ -10,19 +10,15 @@ Fix: State `udp` in place of `tcp` if each datagram is a frame. State a port onl
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link
 
-_CODE = "ports_usable"
 _ENDING = ("length", "code", "checksum")
 """The roles of parts that determine the end of a frame."""
 
 
-def ports_usable(device: Device) -> Iterator[Diagnostic]:
+def ports_usable(device: Device) -> Findings:
     owners: dict[tuple[str, int], str] = {}
     for link in device.links.values():
         if link.is_can:
@@ -31,12 +27,12 @@ def ports_usable(device: Device) -> Iterator[Diagnostic]:
             if protocol == "tcp" and any(not _is_ended(link, direction) for direction in ("request", "response")):
                 text = f"the end of a {link.name} frame in a TCP connection is unknown"
                 help = "state `udp` in place of `tcp` if each datagram is a frame"
-                yield finding(_CODE, link.place, "network", text, help)
+                yield finding(link.place, "network", text, help)
             owner = owners.setdefault((protocol, port), link.name)
             if owner != link.name:
                 text = f"{link.name} and {owner} have the same {protocol.upper()} port {port}"
                 help = "state the port at the link whose frames it carries"
-                yield finding(_CODE, link.place, "network", text, help)
+                yield finding(link.place, "network", text, help)
 
 
 def _is_ended(link: Link, direction: str) -> bool:

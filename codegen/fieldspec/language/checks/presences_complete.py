@@ -20,8 +20,7 @@ from collections.abc import Iterator
 
 from fieldspec.foundation.classes import replace
 from fieldspec.language.checks.facts import layers, nested_fields
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Whole, is_signed
 from fieldspec.language.model.raw_numbers import orders_of
@@ -30,20 +29,19 @@ from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.stated_bits import legal_numbers
 from fieldspec.language.model.value import Value
 
-_CODE = "presences_complete"
 _KEY, _MORE = "present_if", "more_if"
 _MOST_BYTES = 4
 _MOST_BITS = 16
 
 
-def presences_complete(device: Device) -> Iterator[Diagnostic]:
+def presences_complete(device: Device) -> Findings:
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
     sizes = RecordSizes(device)
     for layer in layers(device):
         for field in layer.fields:
             if field.presence is not None and layer.name in refusing and device.records.get(layer.name) is layer:
                 text = f"{layer.name} is the data of exceptions, and {field.name} is optional"
-                yield finding(_CODE, field.place, _KEY, text, "remove `present_if`, or leave the field out")
+                yield finding(field.place, _KEY, text, "remove `present_if`, or leave the field out")
             if field.presence is not None:
                 yield from _decided(device, layer, field, field.presence)
             if field.presence is not None or field.continuation is not None:
@@ -52,7 +50,7 @@ def presences_complete(device: Device) -> Iterator[Diagnostic]:
                 is_refusing = layer.name in refusing and device.records.get(layer.name) is layer
                 for problem, help in _end_problems(device, sizes, layer, field, field.continuation, is_refusing):
                     text = f"the elements of {field.name} say whether more follow, {problem}"
-                    yield finding(_CODE, field.place, _MORE, text, help)
+                    yield finding(field.place, _MORE, text, help)
             measured = layer.named(field.bit_measure.field) if field.bit_measure is not None else None
             if field.bit_measure is not None and measured is not None:
                 is_refusing = layer.name in refusing and device.records.get(layer.name) is layer
@@ -60,9 +58,7 @@ def presences_complete(device: Device) -> Iterator[Diagnostic]:
                     device, sizes, layer, field, field.bit_measure, measured, is_refusing
                 ):
                     text = f"some bits of {field.name} count {measured.name}, {problem}"
-                    yield finding(
-                        _CODE, field.place, "measures", text, help, label(measured.place, "name", measured.name)
-                    )
+                    yield finding(field.place, "measures", text, help, label(measured.place, "name", measured.name))
     for message in device.messages.values():
         bodies = (message.request, message.response) if message.accesses else ()
         optional = next(
@@ -72,7 +68,7 @@ def presences_complete(device: Device) -> Iterator[Diagnostic]:
             key = _stated_key(optional)
             text = f"{message.name} reads or writes registers, and {optional.name} {_PROBLEMS[key]}"
             help = "remove `accesses`, or state a message for each case"
-            yield finding(_CODE, message.place, "accesses", text, help, label(optional.place, key, optional.name))
+            yield finding(message.place, "accesses", text, help, label(optional.place, key, optional.name))
 
 
 _PROBLEMS = {_KEY: "is optional", _MORE: "ends where an element says so", "measures": "counts a list in its bits"}
@@ -84,7 +80,7 @@ def _stated_key(field: Field) -> str:
     return next((key for key, own in is_stated.items() if own is not None), "")
 
 
-def _decided(device: Device, layer: Record, field: Field, presence: Presence) -> Iterator[Diagnostic]:
+def _decided(device: Device, layer: Record, field: Field, presence: Presence) -> Findings:
     """The findings of the field that decides on another one."""
     names = [other.name for other in layer.fields]
     decider = layer.named(presence.by)
@@ -93,12 +89,12 @@ def _decided(device: Device, layer: Record, field: Field, presence: Presence) ->
     if names.index(decider.name) >= names.index(field.name):
         text = f"{decider.name} decides whether {field.name} is sent, but does not come before it"
         help = "list the fields in the order of the wire"
-        yield finding(_CODE, field.place, _KEY, text, help, label(decider.place, "name", decider.name))
+        yield finding(field.place, _KEY, text, help, label(decider.place, "name", decider.name))
     objection = _objection(device, decider, presence.bits)
     if objection:
         text = f"{decider.name} cannot decide whether {field.name} is sent: {objection}"
         help = "name one unsigned number with the bit or the enum"
-        yield finding(_CODE, field.place, _KEY, text, help, label(decider.place, "name", decider.name))
+        yield finding(field.place, _KEY, text, help, label(decider.place, "name", decider.name))
 
 
 def _count_problems(
@@ -178,11 +174,11 @@ def _objection(device: Device, decider: Field, bits: tuple[tuple[int, int], ...]
     return "its word order differs from its byte order" if is_swapped else ""
 
 
-def _measured(layer: Record, field: Field) -> Iterator[Diagnostic]:
+def _measured(layer: Record, field: Field) -> Findings:
     """The findings of fields that measure an optional one, or a list whose elements say which is the last."""
     key = _stated_key(field)
     for other in layer.fields:
         if other.measures is not None and other.measures.field == field.name:
             text = f"{other.name} measures {field.name}, which {_PROBLEMS[key]}"
             help = f"remove `measures`, or `{key}`: the number of bytes or elements says it already"
-            yield finding(_CODE, other.place, "measures", text, help)
+            yield finding(other.place, "measures", text, help)

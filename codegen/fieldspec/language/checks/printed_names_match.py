@@ -12,21 +12,19 @@ case are not distinguished.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import TypeAlias
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 
-_CODE = "printed_names_match"
 _FORM = re.compile(r"[^{}]*\{(value|number)(?::[0-9]{0,2}[dxXob]?)?\}[^{}]*")
 
 _Rows: TypeAlias = list[tuple[Fact, Mapping[str, int | None]]]
 
 
-def printed_names_match(device: Device) -> Iterator[Diagnostic]:
+def printed_names_match(device: Device) -> Findings:
     for enum in device.enums.values():
         members: _Rows = [(member, {"value": member.value, "number": member.number}) for member in enum.members]
         yield from _of_list(enum, enum.printed_as, ("value", "number"), members)
@@ -35,25 +33,25 @@ def printed_names_match(device: Device) -> Iterator[Diagnostic]:
         yield from _of_list(parameter_set, parameter_set.printed_as, ("number",), rows)
 
 
-def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Iterator[Diagnostic]:
+def _of_list(holder: Fact, form: str, keys: tuple[str, ...], rows: _Rows) -> Findings:
     if not form:
         return
     match = _FORM.fullmatch(form)
     if match is None or match[1] not in keys:
         text = f"`{form}` is not a form of a {keys[0]}"
         help = f"write it like `AL.{{{keys[0]}:03X}}`: one pair of braces, and digits in base 2, 8, 10 or 16"
-        yield finding(_CODE, holder.place, "printed_as", text, help)
+        yield finding(holder.place, "printed_as", text, help)
         return
     for row, numbers in rows:
         if numbers[match[1]] is not None:
             yield from _compare_names(holder, row, form.format(**numbers), match[1])
 
 
-def _compare_names(holder: Fact, row: Fact, right: str, key: str) -> Iterator[Diagnostic]:
+def _compare_names(holder: Fact, row: Fact, right: str, key: str) -> Findings:
     printed = [(row.place, row.printed_name)]
     printed += [(claim.place, str(claim.values.get("printed_name") or "")) for claim in row.restated]
     for place, name in printed:
         if name and name.casefold() != right.casefold():
             text = f"{row.name} is printed as `{name}`, but its {key} gives `{right}`"
             related_label = label(holder.place, "printed_as", "how it is printed")
-            yield finding(_CODE, place, "printed_name", text, f"correct the name or the {key}", related_label)
+            yield finding(place, "printed_name", text, f"correct the name or the {key}", related_label)

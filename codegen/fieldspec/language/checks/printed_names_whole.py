@@ -9,17 +9,14 @@ Fix: Write the name without the space, and an erratum with the printed name.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 
 
-def printed_names_whole(device: Device) -> Iterator[Diagnostic]:
+def printed_names_whole(device: Device) -> Findings:
     for fact in facts(device):
         if "_" in fact.printed_name and len(fact.printed_name.split()) > 1:
             text = f"the printed name `{fact.printed_name}` contains a space"
             help = "write it without the space, or allow it with a reason"
-            yield finding("printed_names_whole", fact.place, "printed_name", text, help)
+            yield finding(fact.place, "printed_name", text, help)

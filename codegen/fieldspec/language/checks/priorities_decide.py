@@ -11,8 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import Lookup, LookupRow
 
@@ -20,13 +19,13 @@ _STEP = "->"
 """What stands between the states of a cell that follow each other."""
 
 
-def priorities_decide(device: Device) -> Iterator[Diagnostic]:
+def priorities_decide(device: Device) -> Findings:
     for lookup in device.lookups:
         if lookup.kind == "priority" and len(lookup.columns) > 1:
             yield from _of(lookup)
 
 
-def _of(lookup: Lookup) -> Iterator[Diagnostic]:
+def _of(lookup: Lookup) -> Findings:
     first: dict[tuple[str, ...], tuple[str, LookupRow]] = {}
     for row in lookup.rows:
         for *states, result in _moments(row):
@@ -35,7 +34,7 @@ def _of(lookup: Lookup) -> Iterator[Diagnostic]:
                 text = f"{lookup.name} has {before} and {result} for {', '.join(states)}"
                 related_label = label(first_row.place, "cells", f"{before} here")
                 help = "correct the row, or write an erratum and add an allowance to the table"
-                yield finding("priorities_decide", row.place, "cells", text, help, related_label)
+                yield finding(row.place, "cells", text, help, related_label)
                 break
 
 

@@ -11,16 +11,13 @@ permitted.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding, range_key
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, range_key
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count, is_signed
 
 
-def range_ends_match(device: Device) -> Iterator[Diagnostic]:
+def range_ends_match(device: Device) -> Findings:
     for fact, value in values(device):
         if value.ranges is None or not is_signed(value.encoding) or not is_count(value.encoding):
             continue
@@ -31,4 +28,4 @@ def range_ends_match(device: Device) -> Iterator[Diagnostic]:
             text = f"the range of {fact.name} is {value.ranges.text()}; {value.type.name} holds"
             text += f" {value.type.low}..{value.type.high}"
             help = "correct the other end, or allow it with a reason"
-            yield finding("range_ends_match", fact.place, range_key(fact.place), text, help)
+            yield finding(fact.place, range_key(fact.place), text, help)

@@ -11,16 +11,13 @@ if values without a name can occur.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import enumeration, finding, interval, label, range_key
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding, interval, label, range_key
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.ranges import merged, uncovered
 
 
-def range_within_enum(device: Device) -> Iterator[Diagnostic]:
+def range_within_enum(device: Device) -> Findings:
     for fact, value in values(device):
         enum = device.enums.get(value.enum)
         if enum is None or enum.open or value.ranges is None:
@@ -30,7 +27,6 @@ def range_within_enum(device: Device) -> Iterator[Diagnostic]:
         holes = [hole for low, high in sorted(value.ranges.intervals) for hole in uncovered(low, high, known)]
         if holes:
             yield finding(
-                "range_within_enum",
                 fact.place,
                 range_key(fact.place),
                 f"{fact.name} can be {enumeration([interval(*hole) for hole in holes])}, without a name in {enum.name}",

@@ -10,13 +10,11 @@ Fix: Correct the type or the bound. Use a signed type if the manual prints negat
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import copysign
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.checks.finding import finding, outside, range_key
+from fieldspec.language.checks.finding import Findings, finding, outside, range_key
 from fieldspec.language.checks.settled import of_values, of_words
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digit_count, digits_text
 from fieldspec.language.model.encoding import (
@@ -45,26 +43,26 @@ from fieldspec.language.model.value import Value
 _HELP = "correct the type or the bound"
 
 
-def range_within_type(device: Device) -> Iterator[Diagnostic]:
+def range_within_type(device: Device) -> Findings:
     yield from of_values(device, _of_encoding)
     yield from of_words(device, _of_word)
     for link in device.links.values():
         yield from _of_unit_addresses(link)
 
 
-def _of_word(flags: Flags) -> Iterator[Diagnostic]:
+def _of_word(flags: Flags) -> Findings:
     if outside(flags.ranges, flags.type.low, flags.type.high):
         text = f"{flags.name} cannot be {_ranges_text(flags.ranges)} as {_type_range(flags.type)}"
-        yield finding("range_within_type", flags.place, "range", text, _HELP)
+        yield finding(flags.place, "range", text, _HELP)
     for bit in flags.bits:
         if outside(bit.ranges, bit.low, bit.high):
             bits = f"{bit.width} bits{' with a sign' * bit.signed}, which have the range {bit.low}..{bit.high}"
             text = f"{bit.name} cannot be {_ranges_text(bit.ranges)} as {bits}"
             help = "correct the range, or the number of bits"
-            yield finding("range_within_type", bit.place, range_key(bit.place), text, help)
+            yield finding(bit.place, range_key(bit.place), text, help)
 
 
-def _of_encoding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_encoding(fact: Fact, value: Value) -> Findings:
     encoding = value.encoding
     match encoding:
         case Whole() | Digits() | Truth():
@@ -77,15 +75,15 @@ def _of_encoding(fact: Fact, value: Value) -> Iterator[Diagnostic]:
             assert_never(encoding)
 
 
-def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(fact: Fact, value: Value) -> Findings:
     if outside(value.ranges, value.low, value.high):
         text = f"{fact.name} cannot be {_ranges_text(value.ranges)} as {_range_of(value)}"
-        yield finding("range_within_type", fact.place, range_key(fact.place), text, _HELP)
+        yield finding(fact.place, range_key(fact.place), text, _HELP)
     for sentinel in value.sentinels:
         low, high = sentinel.interval
         if not value.low <= low <= high <= value.high:
             text = f"{fact.name} cannot be {sentinel.text} ({sentinel.name}) as {_range_of(value)}"
-            yield finding("range_within_type", fact.place, "sentinels", text, _sentinel_help(value, sentinel.value))
+            yield finding(fact.place, "sentinels", text, _sentinel_help(value, sentinel.value))
 
 
 def _sentinel_help(value: Value, bits: int) -> str:
@@ -97,7 +95,7 @@ def _sentinel_help(value: Value, bits: int) -> str:
     return f"0x{bits:X} are the bits of {number}: write it as `{number}` or `-0x{-number:X}`"
 
 
-def _of_float(fact: Fact, value: Value, precision: Precision) -> Iterator[Diagnostic]:
+def _of_float(fact: Fact, value: Value, precision: Precision) -> Findings:
     """Bounds and sentinels that the type has exactly, and bits of a NaN."""
     width, digits = precision.value, significant_bits(precision)
     infinite, quiet = infinity(precision), quiet_nan(precision)
@@ -107,30 +105,30 @@ def _of_float(fact: Fact, value: Value, precision: Precision) -> Iterator[Diagno
             if nearest != bound:
                 text = f"{fact.name} cannot be exactly {bound_text(bound)} as {value.type.name}"
                 help = f"use the nearest number that it can be, {bound_text(nearest)}"
-                yield finding("range_within_type", fact.place, range_key(fact.place), text, help)
+                yield finding(fact.place, range_key(fact.place), text, help)
         elif not _exact(bound, precision):
             text = f"{fact.name} cannot be exactly {bound} as {value.type.name}"
             help = f"use a bound of at most {digits} bits"
-            yield finding("range_within_type", fact.place, range_key(fact.place), text, help)
+            yield finding(fact.place, range_key(fact.place), text, help)
     for sentinel in value.sentinels:
         high, bits = 1 << width, f"{sentinel.value:#0{width // 4 + 2}x}"
         nan = sentinel.value < high and sentinel.value & (high // 2 - 1) > infinite
         if sentinel.is_nan and not nan:
             text = f"the bits {bits} ({sentinel.name}) of {fact.name} represent a number"
-            yield finding("range_within_type", fact.place, "sentinels", text, "state the number under `value`")
+            yield finding(fact.place, "sentinels", text, "state the number under `value`")
         elif sentinel.is_nan and sentinel.value != quiet and getattr(fact, "access", "") != "ro":
             text = f"{fact.name} can be written, and NaN is written as {quiet:#0{width // 4 + 2}x}"
             help = f"set `access: ro` if it is only read, or state the value as a `u{width}` of bits"
-            yield finding("range_within_type", fact.place, "sentinels", text, help)
+            yield finding(fact.place, "sentinels", text, help)
         elif not sentinel.is_nan and infinite < sentinel.value and nan:
             text = f"{bits} ({sentinel.name}) of {fact.name} looks like the bits of a NaN"
-            yield finding("range_within_type", fact.place, "sentinels", text, "state them under `bits`")
+            yield finding(fact.place, "sentinels", text, "state them under `bits`")
         elif not sentinel.is_nan and not _exact(sentinel.value, precision):
             text = f"{fact.name} cannot be exactly {sentinel.value} ({sentinel.name}) as {value.type.name}"
-            yield finding("range_within_type", fact.place, "sentinels", text, f"use a number of at most {digits} bits")
+            yield finding(fact.place, "sentinels", text, f"use a number of at most {digits} bits")
     if sum(sentinel.is_nan for sentinel in value.sentinels) > 1:
         text = f"{fact.name} has several special values that are NaN, which many machines cannot distinguish"
-        yield finding("range_within_type", fact.place, "sentinels", text, "remove one of them")
+        yield finding(fact.place, "sentinels", text, "remove one of them")
 
 
 def _nearest(number: float, precision: Precision) -> float:
@@ -149,13 +147,13 @@ def _exact(number: int, precision: Precision) -> bool:
         return False
 
 
-def _of_unit_addresses(link: Link) -> Iterator[Diagnostic]:
+def _of_unit_addresses(link: Link) -> Findings:
     part = next((p for p in link.request if p.role == "unit_address" and p.value is not None), None)
     if link.unit_addresses is None or part is None or part.value is None or not is_exact(part.value.encoding):
         return
     if outside(link.unit_addresses.ranges, part.value.low, part.value.high):
         text = f"{part.name} cannot be {_ranges_text(link.unit_addresses.ranges)} as {_range_of(part.value)}"
-        yield finding("range_within_type", link.unit_addresses.place, "range", text, _HELP)
+        yield finding(link.unit_addresses.place, "range", text, _HELP)
 
 
 def _type_range(primitive: Primitive) -> str:

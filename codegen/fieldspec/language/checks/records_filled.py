@@ -10,18 +10,14 @@ Fix: Add the fields.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 
-_CODE = "records_filled"
 _HELP = "add its fields; only exception responses may have none"
 
 
-def records_filled(device: Device) -> Iterator[Diagnostic]:
+def records_filled(device: Device) -> Findings:
     empty = {name: record for name, record in device.records.items() if not record.fields}
     if not empty:
         return
@@ -32,8 +28,6 @@ def records_filled(device: Device) -> Iterator[Diagnostic]:
         if name in users:
             place, user = users[name]
             related_label = label(record.place, "fields", name)
-            yield finding(
-                _CODE, place, "record", f"{user} has no bytes, because {name} has no fields", _HELP, related_label
-            )
+            yield finding(place, "record", f"{user} has no bytes, because {name} has no fields", _HELP, related_label)
         elif name not in excepted:
-            yield finding(_CODE, record.place, "fields", f"{name} has no fields", _HELP)
+            yield finding(record.place, "fields", f"{name} has no fields", _HELP)

@@ -9,15 +9,12 @@ Fix: Remove the field from one of them, or name the intended record.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.sizes import MOST_LEVELS, RecordSizes
 
 
-def records_finite(device: Device) -> Iterator[Diagnostic]:
+def records_finite(device: Device) -> Findings:
     endless = RecordSizes(device).endless
     for name in endless:
         record = device.records[name]
@@ -25,4 +22,4 @@ def records_finite(device: Device) -> Iterator[Diagnostic]:
             if field.record in endless:
                 text = f"{name} contains itself, or is nested more than {MOST_LEVELS} deep, through {field.record}"
                 help = "remove the field, or name the intended record"
-                yield finding("records_finite", field.place, "record", text, help)
+                yield finding(field.place, "record", text, help)

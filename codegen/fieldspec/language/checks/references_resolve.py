@@ -10,12 +10,11 @@ Fix: Correct the name, or define the missing fact.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable
 
 from fieldspec.language.checks.facts import cases, facts, layers, values
-from fieldspec.language.checks.finding import finding, is_imported, near
+from fieldspec.language.checks.finding import Findings, finding, is_imported, near
 from fieldspec.language.checks.numbers import body
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.fact import Place
@@ -44,7 +43,7 @@ _SAVING = frozenset(("registers", "parameters", "messages", "records", "tables",
 """The sections of what is written to a device or sent to it."""
 
 
-def references_resolve(device: Device) -> Iterator[Diagnostic]:
+def references_resolve(device: Device) -> Findings:
     for fact, value in values(device):
         if value.enum:
             yield from _named(fact.place, "enum", "enum", value.enum, device.enums)
@@ -69,7 +68,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         for part in link.request:
             if part.same_as:
                 text = f"the part {part.name} of a request repeats nothing"
-                yield finding("references_resolve", part.place, "same_as", text, "move `same_as` to the response")
+                yield finding(part.place, "same_as", text, "move `same_as` to the response")
         if link.exception_response is not None:
             yield from _named(
                 link.place, "exception_response", "record", link.exception_response.record, device.records
@@ -101,7 +100,7 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
             if handling.saved_by in paths and handling.saved_by.partition("/")[0] not in _SAVING:
                 text = f"{handling.saved_by} saves nothing: it is neither written nor sent"
                 help = "name a register, a parameter, a field of one, or a message"
-                yield finding("references_resolve", fact.place, "saved_by", text, help)
+                yield finding(fact.place, "saved_by", text, help)
             yield from _named(fact.place, "opposite_of", "fact", handling.opposite_of, paths)
     paths.update(f"examples/{example}" for example in device.examples)
     for note in device.notes:
@@ -119,13 +118,13 @@ def references_resolve(device: Device) -> Iterator[Diagnostic]:
         yield from _of_example(device, example)
 
 
-def _named(place: Place, key: str, kind: str, name: str, known: Collection[str]) -> Iterator[Diagnostic]:
+def _named(place: Place, key: str, kind: str, name: str, known: Collection[str]) -> Findings:
     if name and name not in known:
         text = f"there is no {kind} `{name}`"
-        yield finding("references_resolve", place, key, text, near(name, known))
+        yield finding(place, key, text, near(name, known))
 
 
-def _of_exponents(layer: Record, registers: Collection[str]) -> Iterator[Diagnostic]:
+def _of_exponents(layer: Record, registers: Collection[str]) -> Findings:
     """The exponents of the scales of fields, each of which is a field beside them or a register."""
     for field in layer.fields:
         if field.value is not None and field.value.scale_by:
@@ -140,22 +139,20 @@ def _holder(path: str) -> str:
     return "/".join(steps[:end])
 
 
-def _check_names(
-    place: Place, key: str, kind: str, names: Iterable[str], known: Collection[str]
-) -> Iterator[Diagnostic]:
+def _check_names(place: Place, key: str, kind: str, names: Iterable[str], known: Collection[str]) -> Findings:
     for name in names:
         yield from _named(place, key, kind, name, known)
 
 
-def _of_part(device: Device, place: Place, part: ParameterPart) -> Iterator[Diagnostic]:
+def _of_part(device: Device, place: Place, part: ParameterPart) -> Findings:
     sets = {*device.parameters, *(parameter_set.space for parameter_set in device.parameters.values())}
     yield from _named(place, "parameter", "parameter set", part.set, sets)
     if part.part == "values" and len(device.sets(part.set)) > 1:
         text = f"the values of {part.set} are in several sets without an order"
-        yield finding("references_resolve", place, "parameter", text, "name one of the sets")
+        yield finding(place, "parameter", text, "name one of the sets")
 
 
-def _of_flags(device: Device, flags: Flags) -> Iterator[Diagnostic]:
+def _of_flags(device: Device, flags: Flags) -> Findings:
     for bit in flags.bits:
         if bit.enum:
             yield from _named(bit.place, "enum", "enum", bit.enum, device.enums)
@@ -165,7 +162,7 @@ def _of_flags(device: Device, flags: Flags) -> Iterator[Diagnostic]:
             yield from _check_names(state.place, key, f"bit of {flags.name}", names, bits)
 
 
-def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
+def _of_message(device: Device, message: Message) -> Findings:
     yield from _check_names(message.place, "links", "link", message.links, device.links)
     yield from _check_names(message.place, "answered_on", "link", message.answered_on or (), device.links)
     yield from _check_names(message.place, "supplements", "message", message.supplements, device.messages)
@@ -175,7 +172,7 @@ def _of_message(device: Device, message: Message) -> Iterator[Diagnostic]:
         yield from _of_access(device, message, "accesses", access)
 
 
-def _of_access(device: Device, message: Message, key: str, access: RegisterAccess) -> Iterator[Diagnostic]:
+def _of_access(device: Device, message: Message, key: str, access: RegisterAccess) -> Findings:
     request_names = {field.name for field in message.request.fields}
     response_names = {field.name for field in message.response.fields}
     holder = response_names if access.operation == "read" else request_names
@@ -184,7 +181,7 @@ def _of_access(device: Device, message: Message, key: str, access: RegisterAcces
     if space and space not in device.spaces and is_imported(place, device):
         text = f"there is no address space `{space}`, which messages that {device.id} takes from protocols access"
         help = "add the space to `spaces`, or state under `uses` which messages the device has"
-        yield finding("references_resolve", device.place, "id", text, help)
+        yield finding(device.place, "id", text, help)
     else:
         yield from _named(place, key, "address space", space, device.spaces)
     for name in (access.start, access.count, access.and_mask, access.or_mask):
@@ -202,9 +199,7 @@ def _codes(device: Device, record: Record) -> frozenset[str]:
     return frozenset(set.intersection(*parts)) if parts else frozenset()
 
 
-def _within(
-    device: Device, layer: Record, request: Record | None, codes: frozenset[str] = frozenset()
-) -> Iterator[Diagnostic]:
+def _within(device: Device, layer: Record, request: Record | None, codes: frozenset[str] = frozenset()) -> Findings:
     """References of a layer's fields: to the layer itself, and to what was asked.
 
     `codes` are the parts of a request with its code, which exception responses may repeat.
@@ -216,7 +211,7 @@ def _within(
         yield from _named(field.place, "record", "record", field.record, device.records)
         if field.same_as and request is None and not codes:
             text = f"{field.name} is in no response, and only responses repeat what was asked"
-            yield finding("references_resolve", field.place, "same_as", text, "remove `same_as`")
+            yield finding(field.place, "same_as", text, "remove `same_as`")
         else:
             yield from _named(field.place, "same_as", "field", field.same_as, origin)
         yield from _named(field.place, "signal", "signal", field.signal, device.signals)
@@ -245,7 +240,7 @@ def _enum_of(decider: Field | None) -> str:
     return decider.value.enum if decider is not None and decider.value is not None else ""
 
 
-def _of_members(device: Device, name: str, place: Place, key: str, names: tuple[str, ...]) -> Iterator[Diagnostic]:
+def _of_members(device: Device, name: str, place: Place, key: str, names: tuple[str, ...]) -> Findings:
     """References to members of the enum of a field, or of some bits of it, that decides on another one."""
     enum = device.enums.get(name)
     if enum is not None:
@@ -253,18 +248,18 @@ def _of_members(device: Device, name: str, place: Place, key: str, names: tuple[
         yield from _check_names(place, key, f"member of {enum.name}", names, members)
 
 
-def _parameter_references(field: Field, value: Value | None, numbers: Collection[str]) -> Iterator[Diagnostic]:
+def _parameter_references(field: Field, value: Value | None, numbers: Collection[str]) -> Findings:
     part = value.parameter if value is not None else None
     if part is None or part.part not in ("value", "subindex"):
         return
     if not part.number:
         text = f"there is no parameter number for {field.name}"
         help = "name the field that contains it under `number`"
-        yield finding("references_resolve", field.place, "parameter", text, help)
+        yield finding(field.place, "parameter", text, help)
     yield from _named(field.place, "parameter", "field", part.number, numbers)
 
 
-def _of_lookup(device: Device, lookup: Lookup) -> Iterator[Diagnostic]:
+def _of_lookup(device: Device, lookup: Lookup) -> Findings:
     for index, column in enumerate(lookup.columns):
         if column.enum not in device.enums:
             yield from _named(lookup.place, "columns", "enum", column.enum, device.enums)
@@ -276,28 +271,28 @@ def _of_lookup(device: Device, lookup: Lookup) -> Iterator[Diagnostic]:
             cell = row.cells[index] if index < len(row.cells) else None
             if cell is not None and cell not in names and cell not in numbers:
                 text = f"{enum.name} has no member `{cell}`"
-                yield finding("references_resolve", row.place, "cells", text, near(str(cell), names))
+                yield finding(row.place, "cells", text, near(str(cell), names))
 
 
-def _of_example(device: Device, example: Example) -> Iterator[Diagnostic]:
+def _of_example(device: Device, example: Example) -> Findings:
     place = example.place
     yield from _named(place, "link", "link", example.link, device.links)
     yield from _named(place, "message", "message", example.message, device.messages)
     yield from _named(place, "reply_to", "example", example.reply_to, device.examples)
     if not example.message and not example.refused and not example.exception_response:
         text = f"{example.id} names no message"
-        yield finding("references_resolve", place, "message", text, "name the message, or state why it is `refused`")
+        yield finding(place, "message", text, "name the message, or state why it is `refused`")
     link, message = device.links.get(example.link), device.messages.get(example.message)
     if link is not None and message is not None and not sent_on(link, message):
         text = f"{message.name} is not sent on the link {link.name}"
-        yield finding("references_resolve", place, "link", text, "name the link, or the message, of the frame")
+        yield finding(place, "link", text, "name the link, or the message, of the frame")
     if example.exception_response and link is not None and link.exception_response is None:
         text = f"the link {link.name} has no `exception_response`, so no response can be an exception response"
-        yield finding("references_resolve", place, "exception_response", text, "add `exception_response` to the link")
+        yield finding(place, "exception_response", text, "add `exception_response` to the link")
     if link is not None and example.elided:
         names = [part.name for part in link.parts(example.direction)] + [field.name for field in body(device, example)]
         yield from _check_names(place, "elided", "part or field", [n.partition(".")[0] for n in example.elided], names)
     request = device.examples.get(example.reply_to)
     if request is not None and (request.direction, example.direction) != ("request", "response"):
         text = f"{example.id} cannot reply to {request.id}: only a response can reply, and only to a request"
-        yield finding("references_resolve", place, "reply_to", text, "name the example with the request")
+        yield finding(place, "reply_to", text, "name the example with the request")

@@ -11,22 +11,20 @@ its `characters`. If the value really is in the first byte, set `allow: {registe
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_array
 
 
-def registers_fill_words(device: Device) -> Iterator[Diagnostic]:
+def registers_fill_words(device: Device) -> Findings:
     for register in device.registers():
         if register.value.type.name in ("u8", "i8") and device.space(register.space).unit == WORD:
             text = f"the register {register.name} is {register.value.type.name}, half of its word"
             help = "state the whole word as u16 or i16, with a range if it is known"
-            yield finding("registers_fill_words", register.place, "type", text, help, severity=Severity.WARNING)
+            yield finding(register.place, "type", text, help, severity=Severity.WARNING)
         elif is_array(register.value.encoding) and 2 * (register.words or 0) == register.value.size + 1:
             text = f"{register.name} has {register.value.size} bytes, which do not fill its {register.words} words"
             help = "correct the length or the words"
-            yield finding("registers_fill_words", register.place, "length", text, help, severity=Severity.WARNING)
+            yield finding(register.place, "length", text, help, severity=Severity.WARNING)

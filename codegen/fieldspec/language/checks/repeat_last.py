@@ -17,19 +17,14 @@ of the wire.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field, Message, Record, list_count
 from fieldspec.language.model.sizes import RecordSizes
 
-_CODE = "repeat_last"
 
-
-def repeat_last(device: Device) -> Iterator[Diagnostic]:
+def repeat_last(device: Device) -> Findings:
     sizes = RecordSizes(device)
     bodies = {id(body): message for message in device.messages.values() for body in (message.request, message.response)}
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
@@ -38,10 +33,10 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
             if field.repeat is not None:
                 if field.repeat.high == 0:
                     text = f"{field.name} never has an element"
-                    yield finding(_CODE, field.place, "repeat", text, "correct the repetitions, or remove the field")
+                    yield finding(field.place, "repeat", text, "correct the repetitions, or remove the field")
                 if field.count is not None:
                     text = f"{field.name} has a `count` and a `repeat`"
-                    yield finding(_CODE, field.place, "count", text, "remove one of them")
+                    yield finding(field.place, "count", text, "remove one of them")
             if field.record in sizes.endless or (field.value and field.value.width):
                 continue
             is_element = bool(field.record) and sizes.element(field) is None
@@ -56,7 +51,7 @@ def repeat_last(device: Device) -> Iterator[Diagnostic]:
             yield from _at_the_end(layer, field, bodies.get(id(layer)), layer.name in refusing)
 
 
-def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: Field) -> Iterator[Diagnostic]:
+def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: Field) -> Findings:
     """The findings of a field with a record that has no fixed size."""
     if inner is None:
         return
@@ -65,7 +60,7 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
     if untold is not None and not (untold.value is not None and untold.value.width):
         text = f"{inner.name} has no fixed size, and nothing in it marks the end of {untold.name}"
         help = "let a binary `u8` or `u16` before it count it with `measures`, or let a message have its fields"
-        yield finding(_CODE, field.place, "record", text, help, label(untold.place, "name", "has no fixed size"))
+        yield finding(field.place, "record", text, help, label(untold.place, "name", "has no fixed size"))
     for other in layer.fields:
         measures = other.measures
         if measures is None or measures.field != field.name or measures.of != "bytes":
@@ -75,10 +70,10 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
             text = f"{other.name} counts the bytes of {field.name}, whose elements differ in size"
             text += ", and is not the first to count it as a binary `u8` or `u16` without a `range`"
             help = f"state it so, or count the elements: `measures: {{items: {field.name}}}`"
-            yield finding(_CODE, other.place, "measures", text, help)
+            yield finding(other.place, "measures", text, help)
 
 
-def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) -> Iterator[Diagnostic]:
+def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) -> Findings:
     """The findings of fields after a list, a choice, or a record that differs in size."""
     index = next(number for number, other in enumerate(layer.fields) if other is field)
     later_fields = layer.fields[index + 1 :]
@@ -93,14 +88,14 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
         problem = "after it has no fixed size" if varying is not None else "comes after it in a record"
         text = f"the end of {field.name} is unknown, because {last.name} {problem}"
         help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
-        yield finding(_CODE, field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
+        yield finding(field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
     elif is_open and list_count(layer, field) is None:
         text = f"{counts[0].name} counts {field.name}, which {last.name} follows, and is not a binary `u8` or `u16`"
         help = "state the number as `u8` or `u16`, or a message of its own"
-        yield finding(_CODE, counts[0].place, "type", text, help, label(last.place, "name", "follows it"))
+        yield finding(counts[0].place, "type", text, help, label(last.place, "name", "follows it"))
 
 
-def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: bool) -> Iterator[Diagnostic]:
+def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: bool) -> Findings:
     """The finding of a list with fields after it, or of a record that differs in size, where a last list may be."""
     last = layer.fields[-1]
     is_packed = field.value is not None and field.value.packed_bits > 0
@@ -108,7 +103,7 @@ def _at_the_end(layer: Record, field: Field, message: Message | None, refuses: b
     problem = f"{last.name} comes after {field.name}" if last is not field else problem
     if message is not None and message.accesses:
         text = f"{message.name} reads or writes registers, and {problem}"
-        yield finding(_CODE, field.place, "name", text, "list the repeated field last, or remove `accesses`")
+        yield finding(field.place, "name", text, "list the repeated field last, or remove `accesses`")
     if refuses and message is None:
         text = f"{layer.name} is the data of exceptions, and {problem}"
-        yield finding(_CODE, field.place, "name", text, "state a fixed `count`, or list the repeated field last")
+        yield finding(field.place, "name", text, "state a fixed `count`, or list the repeated field last")

@@ -16,18 +16,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.foundation.line_text import plural
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.checks.numbers import body, in_counts
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.texts import Example
 
-_CODE = "replies_agree"
 _HELP = "correct one of the frames, or name the right example"
 
 
-def replies_agree(device: Device) -> Iterator[Diagnostic]:
+def replies_agree(device: Device) -> Findings:
     for reply in device.examples.values():
         request = device.examples.get(reply.reply_to)
         if request is None or request.direction != "request" or request.refused:
@@ -39,18 +37,18 @@ def replies_agree(device: Device) -> Iterator[Diagnostic]:
         ):
             if mine != theirs:
                 text = f"{reply.id} has the {key} {mine}, its request {theirs}"
-                yield finding(_CODE, reply.place, key, text, _HELP, related_label)
+                yield finding(reply.place, key, text, _HELP, related_label)
         for name, request_name in _echoed(device, reply):
             repeated, echoed = reply.values.get(name), request.values.get(request_name)
             if repeated is not None and echoed is not None and repeated != echoed:
                 text = f"{name} is {repeated} in {reply.id} and {echoed} in its request"
-                yield finding(_CODE, reply.place, "values", text, _HELP, related_label)
+                yield finding(reply.place, "values", text, _HELP, related_label)
         message = device.messages.get(reply.message)
         if message is not None and request.message == reply.message and not reply.exception_response:
             mismatch = _count_mismatch(device, message, request, reply)
             if mismatch:
                 help = f"{_HELP}, or the fields under `accesses` of {message.name}"
-                yield finding(_CODE, reply.place, "values", mismatch, help, related_label)
+                yield finding(reply.place, "values", mismatch, help, related_label)
 
 
 def _count_mismatch(device: Device, message: Message, request: Example, reply: Example) -> str:

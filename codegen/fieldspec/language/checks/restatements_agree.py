@@ -11,17 +11,14 @@ place does not print.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.checks.restatements import as_text, claimed_value, statements
-from fieldspec.language.diagnostics import Diagnostic, Label
+from fieldspec.language.diagnostics import Label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Claim, Fact
 from fieldspec.language.model.sizes import RecordSizes
 
-_CODE = "restatements_agree"
 _NOT_HERE = ("printed_name", "label", "span", "word_span")
 """Names are shown, not compared; spans are compared with the layout, by spans_match_layout."""
 
@@ -43,7 +40,7 @@ _STANDS_UNDER = {
 }
 
 
-def restatements_agree(device: Device) -> Iterator[Diagnostic]:
+def restatements_agree(device: Device) -> Findings:
     sizes = RecordSizes(device)
     for fact in facts(device):
         if fact.restated:
@@ -52,7 +49,7 @@ def restatements_agree(device: Device) -> Iterator[Diagnostic]:
                 yield from _compare_claim(fact, own, claim)
 
 
-def _compare_claim(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator[Diagnostic]:
+def _compare_claim(fact: Fact, own: dict[str, object], claim: Claim) -> Findings:
     for key, claimed in claim.values.items():
         if key in _NOT_HERE:
             continue
@@ -60,19 +57,19 @@ def _compare_claim(fact: Fact, own: dict[str, object], claim: Claim) -> Iterator
             if claimed is not True:
                 text = f"{fact.name} is missing where {_place_text(claim)} should have it"
                 help = "set `present: true` and write an erratum"
-                yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
+                yield finding(claim.place, key, text, help, _place_label(fact, key))
             continue
         actual = own.get(key)
         if actual is None:
             text = f"{fact.name} has no `{key}` for {_place_text(claim)} to restate"
             help = "add it to the fact, or remove it from `restated`"
-            yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
+            yield finding(claim.place, key, text, help, _place_label(fact, key))
         elif claimed_value(key, claimed) != actual:
             text = (
                 f"`{key}` of {fact.name} is {as_text(key, actual)}, but {as_text(key, claimed)} in {_place_text(claim)}"
             )
             help = "use the right value in both places, and write an erratum for the misprint"
-            yield finding(_CODE, claim.place, key, text, help, _place_label(fact, key))
+            yield finding(claim.place, key, text, help, _place_label(fact, key))
 
 
 def _place_text(claim: Claim) -> str:

@@ -11,15 +11,12 @@ Fix: Keep the role on the fact that the task uses. A step can name the other fac
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.operand import Operand, operands
 
 
-def roles_unique(device: Device) -> Iterator[Diagnostic]:
+def roles_unique(device: Device) -> Findings:
     first: dict[tuple[str, str], Operand] = {}
     reported: set[tuple[str, str, str]] = set()
     for operand in operands(device):
@@ -31,6 +28,4 @@ def roles_unique(device: Device) -> Iterator[Diagnostic]:
             reported.add(key)
             text = f"{before.path} and {operand.path} have the role `{role}`"
             related_label = label(before.fact.place, "roles", "the first one")
-            yield finding(
-                "roles_unique", operand.fact.place, "roles", text, "remove it from one of them", related_label
-            )
+            yield finding(operand.fact.place, "roles", text, "remove it from one of them", related_label)

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, near
+from fieldspec.language.checks.finding import Findings, finding, near
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count, is_octets, is_signed
@@ -24,16 +24,14 @@ from fieldspec.language.model.segments import number_places
 from fieldspec.language.model.sizes import sent_on
 from fieldspec.language.model.value import ParameterSizes
 
-_CODE = "segments_complete"
 
-
-def segments_complete(device: Device) -> Iterator[Diagnostic]:
+def segments_complete(device: Device) -> Findings:
     for message in device.messages.values():
         if message.segments is not None:
             yield from _of_message(device, message, message.segments)
 
 
-def _of_message(device: Device, first: Message, stated: Segments) -> Iterator[Diagnostic]:
+def _of_message(device: Device, first: Message, stated: Segments) -> Findings:
     if _part(first.request, "number") is None:
         yield _finding(
             first, f"the request of {first.name} has no number of a parameter", "add the field with the number"
@@ -58,7 +56,7 @@ def _of_message(device: Device, first: Message, stated: Segments) -> Iterator[Di
         yield from _of_abort(device, first, stated.abort)
 
 
-def _reading(device: Device, first: Message, stated: Segments) -> Iterator[Diagnostic]:
+def _reading(device: Device, first: Message, stated: Segments) -> Findings:
     if _part(first.request, "value") is not None:
         yield _finding(first, f"{first.name} writes a value, but `when` says that it reads", "remove `when`")
         return
@@ -82,7 +80,7 @@ def _reading(device: Device, first: Message, stated: Segments) -> Iterator[Diagn
         yield from _size(first, first.response, stated.size)
 
 
-def _writing(device: Device, first: Message, stated: Segments) -> Iterator[Diagnostic]:
+def _writing(device: Device, first: Message, stated: Segments) -> Findings:
     if _part(first.request, "value") is not None:
         text = f"the request of {first.name} has the value itself"
         yield _finding(
@@ -94,7 +92,7 @@ def _writing(device: Device, first: Message, stated: Segments) -> Iterator[Diagn
         yield _finding(first, f"{field.name} of {first.name} has no value", "give it a `const` or a `default`")
 
 
-def _size(first: Message, record: Record, name: str) -> Iterator[Diagnostic]:
+def _size(first: Message, record: Record, name: str) -> Findings:
     field = record.named(name)
     value = field.value if field is not None else None
     whole = value is not None and is_count(value.encoding) and not is_signed(value.encoding)
@@ -107,7 +105,7 @@ def _size(first: Message, record: Record, name: str) -> Iterator[Diagnostic]:
         yield _finding(first, f"{name} is not a number of bytes", "name a field with an unsigned whole number")
 
 
-def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) -> Iterator[Diagnostic]:
+def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) -> Findings:
     carrier, other = (piece.response, piece.request) if stated.reads else (piece.request, piece.response)
     data = carrier.named(stated.data)
     if data is None or data.value is None:
@@ -148,7 +146,7 @@ def _of_piece(device: Device, first: Message, stated: Segments, piece: Message) 
         yield _finding(first, f"{field.name} of {piece.name} has no value", "give it a `const` or a `default`")
 
 
-def _of_abort(device: Device, first: Message, abort: SegmentsAbort) -> Iterator[Diagnostic]:
+def _of_abort(device: Device, first: Message, abort: SegmentsAbort) -> Findings:
     """The message that ends a transfer: it has no response, and all its values are known."""
     message = device.messages.get(abort.message)
     if message is None:
@@ -206,4 +204,4 @@ def _enum(device: Device, record: Record, sizes: ParameterSizes | None) -> Enum 
 
 
 def _finding(first: Message, text: str, help: str) -> Diagnostic:
-    return finding(_CODE, first.place, "segments", text, help)
+    return finding(first.place, "segments", text, help)

@@ -9,17 +9,14 @@ Fix: Correct one of the texts, and write an erratum with the printed text.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 
 
-def senses_differ(device: Device) -> Iterator[Diagnostic]:
+def senses_differ(device: Device) -> Findings:
     for word in device.flags.values():
         for bit in word.bits:
             if bit.zero and bit.zero == bit.one:
                 text = f"{bit.name} means `{bit.one}` both at 0 and at 1"
                 related_label = label(bit.place, "zero", "at 0")
-                yield finding("senses_differ", bit.place, "one", text, "correct one of the texts", related_label)
+                yield finding(bit.place, "one", text, "correct one of the texts", related_label)

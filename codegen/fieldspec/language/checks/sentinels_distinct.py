@@ -13,19 +13,15 @@ describe the member of the enum.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.value import OUT_OF_RANGE, Sentinel, Value
 
-_CODE = "sentinels_distinct"
 _HELP = "correct one of them, or remove the sentinel"
 
 
-def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
+def sentinels_distinct(device: Device) -> Findings:
     for fact, value in values(device):
         names: dict[str, str] = {}
         texts: dict[str, str] = {}
@@ -54,7 +50,7 @@ def sentinels_distinct(device: Device) -> Iterator[Diagnostic]:
                 text = f"{fact.name} is always {value.const}, and has the sentinel {sentinel.name}"
             if text:
                 help = "give it another name" if sentinel.name == OUT_OF_RANGE else _HELP
-                yield finding(_CODE, fact.place, "sentinels", text, help)
+                yield finding(fact.place, "sentinels", text, help)
             names.setdefault(sentinel.text, sentinel.name)
             texts.setdefault(sentinel.name, sentinel.text)
 

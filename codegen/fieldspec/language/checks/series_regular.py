@@ -13,10 +13,9 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 
@@ -27,7 +26,7 @@ _NUMBERED = re.compile(r"(.*?)([0-9]{1,6})(\D*)", re.DOTALL)
 _Placed = tuple[Fact, str, int, int]
 
 
-def series_regular(device: Device) -> Iterator[Diagnostic]:
+def series_regular(device: Device) -> Findings:
     for group in device.groups:
         # Those of a copy are compared with the others by copies_agree.
         rows = [row for row in group.registers if row.count == 1 and not row.copy_of]
@@ -44,7 +43,7 @@ def series_regular(device: Device) -> Iterator[Diagnostic]:
         )
 
 
-def _of_list(rows: Iterable[_Placed]) -> Iterator[Diagnostic]:
+def _of_list(rows: Iterable[_Placed]) -> Findings:
     all_rows = list(rows)
     reported: set[int] = set()
     for key in ("printed_name", "label"):
@@ -61,7 +60,7 @@ def _of_list(rows: Iterable[_Placed]) -> Iterator[Diagnostic]:
                     yield odd
 
 
-def _odd(numbered: list[tuple[int, _Placed]]) -> Iterator[Diagnostic]:
+def _odd(numbered: list[tuple[int, _Placed]]) -> Findings:
     """Findings where nearly all of a series keep their distance to their number, and a small part does not."""
     if len(numbered) < _FEWEST:
         return
@@ -77,4 +76,4 @@ def _odd(numbered: list[tuple[int, _Placed]]) -> Iterator[Diagnostic]:
             text = f"{fact.name} is number {number} of a series, but has {place}, not {base + step * number}"
             help = "correct its place or its number, or allow it with a reason"
             related_label = label(usual[0].place, usual[1], f"{usual[0].name} matches the series")
-            yield finding("series_regular", fact.place, key, text, help, related_label)
+            yield finding(fact.place, key, text, help, related_label)

@@ -6,11 +6,12 @@ settled object is not judged again as long as it, and the enums and words that i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from operator import is_
 
 from fieldspec.foundation.caches import ByIdentity, ObjectsKey
 from fieldspec.language.checks.facts import values
+from fieldspec.language.checks.finding import Findings
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Flags
@@ -75,7 +76,7 @@ def _is_open(fact: Fact, relatives: _Relatives) -> bool:
     return len(settled) != len(relatives) or not all(map(is_, settled, relatives))
 
 
-def of_values(device: Device, judge: Callable[[Fact, Value], Iterable[Diagnostic]]) -> Iterator[Diagnostic]:
+def of_values(device: Device, judge: Callable[[Fact, Value], Iterable[Diagnostic]]) -> Findings:
     """The findings of a check in values, each of which it judges by the value, its enum, and its word of bits."""
     open_facts = _open_facts(device)
     open_facts.unfinished += 1
@@ -84,7 +85,7 @@ def of_values(device: Device, judge: Callable[[Fact, Value], Iterable[Diagnostic
     open_facts.unfinished -= 1
 
 
-def of_words(device: Device, judge: Callable[[Flags], Iterable[Diagnostic]]) -> Iterator[Diagnostic]:
+def of_words(device: Device, judge: Callable[[Flags], Iterable[Diagnostic]]) -> Findings:
     """The findings of a check in words of bits, each of which it judges by the word and the enums of its bits."""
     open_facts = _open_facts(device)
     open_facts.unfinished += 1

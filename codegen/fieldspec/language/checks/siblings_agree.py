@@ -14,11 +14,10 @@ Fix: Compare the field with the manual, correct it and write an erratum. If it r
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable
 
 from fieldspec.language.checks.facts import fields
-from fieldspec.language.checks.finding import finding, label, range_key
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.value import Value
@@ -27,7 +26,7 @@ _FEWEST = 3
 _SMALL = 4
 
 
-def siblings_agree(device: Device) -> Iterator[Diagnostic]:
+def siblings_agree(device: Device) -> Findings:
     families: dict[tuple[str, str], list[tuple[Field, Value]]] = {}
     counts = {
         id(message.request.named(access.count)) for message in device.messages.values() for access in message.accesses
@@ -43,9 +42,7 @@ def siblings_agree(device: Device) -> Iterator[Diagnostic]:
         )
 
 
-def _odd(
-    family: list[tuple[Field, Value]], subject: str, quality: Callable[[Value], Hashable | None]
-) -> Iterator[Diagnostic]:
+def _odd(family: list[tuple[Field, Value]], subject: str, quality: Callable[[Value], Hashable | None]) -> Findings:
     """Findings where all but one, or all but a small part, of those that say something say the same."""
     saying = [(field, statement) for field, value in family if (statement := quality(value)) is not None]
     if len(saying) < _FEWEST:
@@ -58,7 +55,6 @@ def _odd(
     for field, statement in saying:
         if statement != usual:
             yield finding(
-                "siblings_agree",
                 field.place,
                 _key(field, subject),
                 f"{field.name} has a different {subject} in {times} other places",

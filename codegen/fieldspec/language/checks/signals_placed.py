@@ -11,20 +11,17 @@ its `notes`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import fields
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.value import Signal
 
-_CODE = "signals_placed"
 _WAYS = {"request": "to the device", "response": "from the device"}
 
 
-def signals_placed(device: Device) -> Iterator[Diagnostic]:
+def signals_placed(device: Device) -> Findings:
     for message in device.messages.values():
         for direction, layer in (("request", message.request), ("response", message.response)):
             for field in layer.fields:
@@ -40,18 +37,18 @@ def signals_placed(device: Device) -> Iterator[Diagnostic]:
         if signal.direction and signal.name not in placed and not signal.notes:
             text = f"no message carries {signal.name}"
             help = "add it to a message, or state under `notes` that no message carries it"
-            yield finding(_CODE, signal.place, "name", text, help)
+            yield finding(signal.place, "name", text, help)
 
 
 def _astray(field: Field, signal: Signal, holder: str) -> Diagnostic:
     text = f"{signal.name} goes {_WAYS[signal.direction]}, but is part of {holder}"
     related_label = label(signal.place, "direction", "its direction")
-    return finding(_CODE, field.place, "signal", text, "correct the direction or the message", related_label)
+    return finding(field.place, "signal", text, "correct the direction or the message", related_label)
 
 
-def _named(field: Field, signal: Signal) -> Iterator[Diagnostic]:
+def _named(field: Field, signal: Signal) -> Findings:
     mine, theirs = ("".join(name.split()).casefold() for name in (field.printed_name, signal.printed_name))
     if mine and theirs and mine != theirs:
         text = f"{field.name} is printed as `{field.printed_name}`, its signal as `{signal.printed_name}`"
         related_label = label(signal.place, "printed_name", signal.name)
-        yield finding(_CODE, field.place, "printed_name", text, "correct one of the names", related_label)
+        yield finding(field.place, "printed_name", text, "correct one of the names", related_label)

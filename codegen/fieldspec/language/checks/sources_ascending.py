@@ -11,18 +11,17 @@ Fix: Correct the line or the order of the rows.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from fieldspec.language.checks.facts import lists
-from fieldspec.language.checks.finding import finding, label, longest_ascent
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, longest_ascent
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import LINES, PAGES, Fact
 
 _UNITS = {LINES: "line", PAGES: "page", "": "section"}
 
 
-def sources_ascending(device: Device) -> Iterator[Diagnostic]:
+def sources_ascending(device: Device) -> Findings:
     for rows in lists(device):
         sections: dict[str, list[Fact]] = {}
         for row in rows:
@@ -44,7 +43,7 @@ def _columns(rows: Sequence[Fact]) -> list[list[Fact]]:
     return columns
 
 
-def _of_column(rows: Sequence[Fact]) -> Iterator[Diagnostic]:
+def _of_column(rows: Sequence[Fact]) -> Findings:
     ascent = longest_ascent([row.sources[0].first() for row in rows])
     for number, row in enumerate(rows):
         if number not in ascent:
@@ -52,7 +51,7 @@ def _of_column(rows: Sequence[Fact]) -> Iterator[Diagnostic]:
             text = f"{row.name} cites {_place(row)}, out of order with the rows around it"
             related_label = label(other.place, "source", f"{other.name} cites {_place(other)}")
             help = f"correct the {_UNITS[row.sources[0].mark]} or the order of the rows"
-            yield finding("sources_ascending", row.place, "source", text, help, related_label)
+            yield finding(row.place, "source", text, help, related_label)
 
 
 def _place(row: Fact) -> str:

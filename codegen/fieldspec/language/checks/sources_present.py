@@ -17,7 +17,7 @@ from collections.abc import Iterator, Mapping
 
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import facts
-from fieldspec.language.checks.finding import enumeration, finding, is_imported
+from fieldspec.language.checks.finding import Findings, enumeration, finding, is_imported
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device, Manual
 from fieldspec.language.model.enums import Bit, Member, State
@@ -31,7 +31,7 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 """These take the source of what holds them, where a finding says it once; a group need not have one."""
 
 
-def sources_present(device: Device) -> Iterator[Diagnostic]:
+def sources_present(device: Device) -> Findings:
     manual = device.manual
     is_cited, extent = bool(manual.mark or manual.url), manual.lines or manual.pages
     imported: dict[str, list[str]] = {}
@@ -41,7 +41,7 @@ def sources_present(device: Device) -> Iterator[Diagnostic]:
             imported.setdefault(place.path.partition("/")[0], []).append(subject)
         elif not sources and needs_source:
             text = f"{subject} has no source"
-            yield finding("sources_present", place, "source", text, "add `source: <section> L<line>`")
+            yield finding(place, "source", text, "add `source: <section> L<line>`")
         is_sectionless = False
         for citation in sources:
             if is_cited and not _is_within(citation, manual.mark, extent):
@@ -66,10 +66,10 @@ def _of_protocols(device: Device, imported: Mapping[str, list[str]]) -> Diagnost
     keys = "".join(f", fields: [{{name: {field.name}}}]" for field in fields)
     entry = f"{section}: [{{name: {name}, source: <section> L<line>{keys}}}]"
     help = f"add an entry with the source of each, such as `{entry}`, or state under `uses` what the device has"
-    return finding("sources_present", device.place, "id", text, help)
+    return finding(device.place, "id", text, help)
 
 
-def _without_section(device: Device, cited: list[tuple[str, Place]]) -> Iterator[Diagnostic]:
+def _without_section(device: Device, cited: list[tuple[str, Place]]) -> Findings:
     """The findings of sources that name no section: one for each group, or other fact, with all that it encloses."""
     groups = {fact.place.path: group for group in device.groups for fact in (*group.registers, group)}
     enclosed: dict[str, list[tuple[str, Place]]] = {}
@@ -87,7 +87,7 @@ def _without_section(device: Device, cited: list[tuple[str, Place]]) -> Iterator
                 key = "source" if "source" in place else "group"
             text = f"the sources of {enumeration(names)} name no section"
             help = f"add `section` to {subject}, or the section to each source like `8.2 L1622`"
-        yield finding("sources_present", place, key, text, help)
+        yield finding(place, key, text, help)
 
 
 def cited_places(device: Device) -> Iterator[tuple[str, Place, tuple[Citation, ...], bool]]:
@@ -158,9 +158,9 @@ def _wrong(manual: Manual, subject: str, place: Place, citation: Citation) -> Di
         unit = manual.unit or "sections alone"
         form = f"a section and a {unit[:-1]}, as in `8.2 {manual.mark}17`" if manual.mark else "a section, as in `8.2`"
         text = f"the source of {subject} is {citation.text()}; the manual has {unit}"
-        return finding("sources_present", place, "source", text, f"write {form}")
+        return finding(place, "source", text, f"write {form}")
     extent = f"the manual's text has the lines 1 to {manual.lines}"
     if not manual.lines:
         extent = f"the manual has {manual.pages} pages"
     text = f"the source of {subject} is {citation.text()}; {extent}"
-    return finding("sources_present", place, "source", text, f"correct the {manual.unit}")
+    return finding(place, "source", text, f"correct the {manual.unit}")

@@ -17,18 +17,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from fieldspec.language.checks.finding import finding, is_imported, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, is_imported, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.address_space import WORD
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.registers import Table
 from fieldspec.language.model.table_records import table_records
 
-_CODE = "spaces_reachable"
 
-
-def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
+def spaces_reachable(device: Device) -> Findings:
     yield from _read_only(device)
     if not device.spaces:
         return
@@ -42,16 +40,16 @@ def spaces_reachable(device: Device) -> Iterator[Diagnostic]:
         if space.unit != WORD and isinstance(fact, Table):
             text = f"{fact.name} has records of words, but an address of {space.name} is a {space.unit}"
             help = "list the fields of its records as registers, or move the table to a space of words"
-            yield finding(_CODE, fact.place, "space", text, help, label(space.place, "unit", "the unit of the space"))
+            yield finding(fact.place, "space", text, help, label(space.place, "unit", "the unit of the space"))
             continue
         for operation, needs in (("read", {"ro", "rw"}), ("write", {"rw", "wo"})):
             if accesses & needs and (space.name, operation) not in reached:
                 text = f"no message {operation}s {space.name}, which contains {fact.name}"
                 help = f"name the space under `accesses` of the message that {operation}s it"
-                yield finding(_CODE, fact.place, "space", text, help, label(space.place, "name", "the space"))
+                yield finding(fact.place, "space", text, help, label(space.place, "name", "the space"))
 
 
-def _read_only(device: Device) -> Iterator[Diagnostic]:
+def _read_only(device: Device) -> Findings:
     """Warnings of the messages that write spaces in which everything is read only."""
     present: dict[str, set[str]] = {}
     for _, name, accesses in _holders(device):
@@ -64,7 +62,7 @@ def _read_only(device: Device) -> Iterator[Diagnostic]:
         if present.get(space.name) == {"ro"}:
             text = f"{message.name} writes {space.name or 'registers'}, and all that is there is read only"
             help = "correct the space, or the `access` of what can be written there"
-            yield finding(_CODE, message.place, "accesses", text, help, severity=Severity.WARNING)
+            yield finding(message.place, "accesses", text, help, severity=Severity.WARNING)
 
 
 def _holders(device: Device) -> Iterator[tuple[Fact, str, set[str]]]:

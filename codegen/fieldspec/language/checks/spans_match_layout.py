@@ -15,7 +15,7 @@ import re
 from collections.abc import Iterator
 
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, label
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Place
@@ -30,7 +30,7 @@ _MOST_ENDS = 65536
 _Span = tuple[int, int]
 
 
-def spans_match_layout(device: Device) -> Iterator[Diagnostic]:
+def spans_match_layout(device: Device) -> Findings:
     sizes = RecordSizes(device)
     starts = _starts(device, sizes)
     for layer in layers(device):
@@ -49,7 +49,7 @@ def _has_no_end(field: Field) -> bool:
     return field.value is not None and field.value.width > 0
 
 
-def _without_place(layer: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
+def _without_place(layer: Record, sizes: RecordSizes) -> Findings:
     """The findings of the fields of a record that have no place in all data, but a printed one."""
     placed = [field for field, _ in sizes.offsets(layer)]
     if not placed or placed[-1].record in sizes.endless:
@@ -59,7 +59,7 @@ def _without_place(layer: Record, sizes: RecordSizes) -> Iterator[Diagnostic]:
         problem = f"no place of its own, as {before.name} before it has no fixed size"
         for place, key, _ in _printed(field):
             text = f"{field.name} has {'no last byte, as it varies in width' if field is before else problem}"
-            yield finding("spans_match_layout", place, key, text, "remove it")
+            yield finding(place, key, text, "remove it")
 
 
 def _starts(device: Device, sizes: RecordSizes) -> dict[str, list[int]]:
@@ -108,7 +108,7 @@ def _finding(field: Field, place: Place, key: str, printed: _Span, fitting: list
     text = f"{field.name} is printed at {_span_text(printed, unit)}, but it is at {right}"
     holder = "type" if field.value is not None else "record" if field.record else "choice"
     help = "correct a type or the span"
-    return finding("spans_match_layout", place, key, text, help, label(field.place, holder, "the field"))
+    return finding(place, key, text, help, label(field.place, holder, "the field"))
 
 
 def _span_text(span: _Span, unit: str) -> str:

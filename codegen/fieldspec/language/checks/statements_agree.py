@@ -11,15 +11,12 @@ Fix: State the correct fact in both places, and write an erratum for the place t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.texts import Statement
 
 
-def statements_agree(device: Device) -> Iterator[Diagnostic]:
+def statements_agree(device: Device) -> Findings:
     first: dict[str, Statement] = {}
     for note in device.notes:
         for statement in note.statements:
@@ -28,4 +25,4 @@ def statements_agree(device: Device) -> Iterator[Diagnostic]:
                 text = f"{statement.subject} is `{before.says}` in one place, but `{statement.says}` in another"
                 related_label = label(before.place, "says", "the first one")
                 help = "state the correct fact, and write an erratum for the place that prints something else"
-                yield finding("statements_agree", statement.place, "says", text, help, related_label)
+                yield finding(statement.place, "says", text, help, related_label)

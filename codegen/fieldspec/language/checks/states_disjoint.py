@@ -11,25 +11,22 @@ Fix: Add the bits that distinguish the states, and write an erratum if they are 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import combinations
 
-from fieldspec.language.checks.finding import enumeration, finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Flags
 
-_CODE = "states_disjoint"
 _MOST = 64
 """How many states of one word are compared with each other."""
 
 
-def states_disjoint(device: Device) -> Iterator[Diagnostic]:
+def states_disjoint(device: Device) -> Findings:
     for word in device.flags.values():
         yield from _of_word(word)
 
 
-def _of_word(word: Flags) -> Iterator[Diagnostic]:
+def _of_word(word: Flags) -> Findings:
     for state in word.states:
         contradictory = [name for name in state.set if name in state.clear]
         if contradictory or not (state.set or state.clear):
@@ -38,7 +35,7 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
                 if contradictory
                 else f"no bit shows the state {state.name}"
             )
-            yield finding(_CODE, state.place, "set", text, "correct the bits of the state")
+            yield finding(state.place, "set", text, "correct the bits of the state")
     states = [state for state in word.states if state.set or state.clear]
     for state, other in combinations(states[:_MOST], 2):
         mask, value = word.masked(state)
@@ -46,4 +43,4 @@ def _of_word(word: Flags) -> Iterator[Diagnostic]:
         if not (value ^ theirs) & mask & same:
             text = f"{state.name} and {other.name} of {word.name} are possible at the same time"
             related_label = label(state.place, "name", state.name)
-            yield finding(_CODE, other.place, "name", text, "add the bits that distinguish them", related_label)
+            yield finding(other.place, "name", text, "add the bits that distinguish them", related_label)

@@ -11,25 +11,20 @@ only some elements, set `allow: {subindices_match_elements: <reason>}`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import enumeration, finding, interval, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding, interval, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.ranges import merged, uncovered
 from fieldspec.language.model.registers import Parameter
 
-_CODE = "subindices_match_elements"
 
-
-def subindices_match_elements(device: Device) -> Iterator[Diagnostic]:
+def subindices_match_elements(device: Device) -> Findings:
     for parameter_set in device.parameters.values():
         for parameter in parameter_set.parameters:
             if parameter.subindices:
                 yield from _of_parameter(parameter)
 
 
-def _of_parameter(parameter: Parameter) -> Iterator[Diagnostic]:
+def _of_parameter(parameter: Parameter) -> Findings:
     last = (parameter.elements or 1) - 1
     count = label(parameter.place, "elements", f"it has the elements 0 to {last}" if last else "it has one element")
     described: list[tuple[int, int]] = []
@@ -38,10 +33,10 @@ def _of_parameter(parameter: Parameter) -> Iterator[Diagnostic]:
             if low < 0 or high > last:
                 text = f"{inner.name or interval(low, high)} is element {interval(low, high)} of {parameter.name}"
                 help = "correct the subindex or the number of elements"
-                yield finding(_CODE, inner.place, "index", text, help, count)
+                yield finding(inner.place, "index", text, help, count)
             elif uncovered(low, high, merged(described)) != [(low, high)]:
                 text = f"element {interval(low, high)} of {parameter.name} is described twice"
-                yield finding(_CODE, inner.place, "index", text, "correct one of the subindices")
+                yield finding(inner.place, "index", text, "correct one of the subindices")
             described.append((low, high))
     holes = uncovered(0, last, merged(described))
     if holes:
@@ -49,4 +44,4 @@ def _of_parameter(parameter: Parameter) -> Iterator[Diagnostic]:
             f"there is no description of element {enumeration([interval(*hole) for hole in holes])} of {parameter.name}"
         )
         help = "transcribe the missing elements, or allow it with a reason"
-        yield finding(_CODE, parameter.place, "subindices", text, help, count)
+        yield finding(parameter.place, "subindices", text, help, count)

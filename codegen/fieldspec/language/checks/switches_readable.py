@@ -11,17 +11,13 @@ print the returned number, state that under `allow`, and write an erratum with `
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding
 from fieldspec.language.model.device import Device
 
-_CODE = "switches_readable"
 _SWITCH = [0, 1]
 
 
-def switches_readable(device: Device) -> Iterator[Diagnostic]:
+def switches_readable(device: Device) -> Findings:
     for register in device.registers():
         enum = device.enums.get(register.value.enum)
         if register.access != "rw" or register.trigger or enum is None or not enum.open:
@@ -32,4 +28,4 @@ def switches_readable(device: Device) -> Iterator[Diagnostic]:
         if sorted(member.value for member in enum.members) == _SWITCH:
             text = f"{register.name} takes every number as a switch, and what reading it gives is not stated"
             help = "close the enum, give it a range, or allow it with what the manual leaves open, and write an erratum"
-            yield finding(_CODE, register.place, "enum", text, help)
+            yield finding(register.place, "enum", text, help)

@@ -5,13 +5,14 @@ A check yields findings and knows nothing of allowances: they are applied here, 
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Iterator
+from collections.abc import Container, Iterable
 from importlib import import_module
 
 from fieldspec.foundation.caches import ObjectsKey
+from fieldspec.foundation.classes import replace
 from fieldspec.foundation.observation import observed, read_attributes
 from fieldspec.language.checks.allowances_used import allowances_used
-from fieldspec.language.checks.finding import Allowance, Check, Coverage, allowances
+from fieldspec.language.checks.finding import Allowance, Check, Coverage, Findings, allowances
 from fieldspec.language.checks.settled import OpenFacts, settle
 from fieldspec.language.diagnostics import Diagnostic, are_in_place, in_order
 from fieldspec.language.model.device import Device
@@ -184,7 +185,7 @@ def run_named(device: Device, name: str) -> list[Diagnostic]:
     return in_order(_unallowed(device, name, list(allowances(device, name)), set()))
 
 
-def _findings(device: Device, name: str) -> Iterator[Diagnostic]:
+def _findings(device: Device, name: str) -> Findings:
     """The findings of a check. It does not run where it has judged the same objects before."""
     if name in INSTALLED:
         yield from INSTALLED[name](device)
@@ -199,7 +200,8 @@ def _findings(device: Device, name: str) -> Iterator[Diagnostic]:
     reading = observed(device)
     findings: list[Diagnostic] = []
     wrong_before = OpenFacts.verdicts_of_wrong
-    for finding in check(reading):
+    for unnamed in check(reading):
+        finding = replace(unnamed, code=name)
         findings.append(finding)
         yield finding
     if OpenFacts.verdicts_of_wrong != wrong_before:
@@ -217,9 +219,7 @@ def _values(device: Device, attributes: Iterable[str]) -> ObjectsKey:
     return ObjectsKey(item for value in values for item in ((tuple, *value) if isinstance(value, tuple) else (value,)))
 
 
-def _unallowed(
-    device: Device, name: str, own_allowances: list[Allowance], used: set[Allowance]
-) -> Iterator[Diagnostic]:
+def _unallowed(device: Device, name: str, own_allowances: list[Allowance], used: set[Allowance]) -> Findings:
     """The findings of a check that no allowance covers; the allowances that cover a finding are added to `used`."""
     coverage: Coverage | None = None
     count = 0

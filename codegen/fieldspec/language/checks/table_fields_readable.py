@@ -10,15 +10,12 @@ Fix: Use a `range` with only that value and a `default`: both apply only to writ
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import nested_fields
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 
 
-def table_fields_readable(device: Device) -> Iterator[Diagnostic]:
+def table_fields_readable(device: Device) -> Findings:
     done: set[int] = set()
     for table in device.tables.values():
         record = device.records.get(table.record)
@@ -29,4 +26,4 @@ def table_fields_readable(device: Device) -> Iterator[Diagnostic]:
             text = f"{field.name} is a constant, but {table.name} can return any value"
             help = f"write `range: {field.value.const}` instead, which restricts only writing"
             related_label = label(table.place, "record", "the table")
-            yield finding("table_fields_readable", field.place, "const", text, help, related_label)
+            yield finding(field.place, "const", text, help, related_label)

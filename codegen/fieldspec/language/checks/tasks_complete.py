@@ -11,16 +11,13 @@ Fix: Add a task with `steps`, `not_applicable` or `open`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import enumeration, finding
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, enumeration, finding
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.task import OF_GRIPPERS
 from fieldspec.language.schema import schema
 
 
-def tasks_complete(device: Device) -> Iterator[Diagnostic]:
+def tasks_complete(device: Device) -> Findings:
     if not device.tasks:
         return
     present_kinds = {task.kind for task in device.tasks}
@@ -29,4 +26,4 @@ def tasks_complete(device: Device) -> Iterator[Diagnostic]:
     if missing:
         text = f"{device.name} has no entry for the tasks {enumeration(missing)}"
         help = "add a task with `steps`, `not_applicable` or `open` for each"
-        yield finding("tasks_complete", device.tasks[0].place, "task", text, help)
+        yield finding(device.tasks[0].place, "task", text, help)

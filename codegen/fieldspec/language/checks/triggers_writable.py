@@ -10,15 +10,12 @@ Fix: Correct the access and write an erratum, or remove `trigger`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.registers import Parameter, Register
 
 
-def triggers_writable(device: Device) -> Iterator[Diagnostic]:
+def triggers_writable(device: Device) -> Findings:
     startable: list[Register | Parameter] = [*device.registers()]
     startable += [parameter for parameters in device.parameters.values() for parameter in parameters.parameters]
     for fact in startable:
@@ -26,4 +23,4 @@ def triggers_writable(device: Device) -> Iterator[Diagnostic]:
             text = f"{fact.name} starts an action when it is written, but its access is ro"
             related_label = label(fact.place, "trigger", "only writing starts an action")
             help = "correct the access, or remove `trigger`"
-            yield finding("triggers_writable", fact.place, "access", text, help, related_label)
+            yield finding(fact.place, "access", text, help, related_label)

@@ -12,26 +12,23 @@ Fix: Add `role: unit_address` to the other part. If it is not an address, give i
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic, Severity
+from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.diagnostics import Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.link import Link, Part
 from fieldspec.language.model.sizes import messages_on
 
-_CODE = "unit_addresses_match"
 _DIRECTIONS = ("request", "response")
 
 
-def unit_addresses_match(device: Device) -> Iterator[Diagnostic]:
+def unit_addresses_match(device: Device) -> Findings:
     for link in device.links.values():
         if any(message.is_requested for message in messages_on(device, link)):
             yield from _of_link(link)
 
 
-def _of_link(link: Link) -> Iterator[Diagnostic]:
+def _of_link(link: Link) -> Findings:
     addresses = {direction: _address(link.parts(direction)) for direction in _DIRECTIONS}
     for direction, other in (_DIRECTIONS, _DIRECTIONS[::-1]):
         own = addresses[direction]
@@ -49,7 +46,7 @@ def _of_link(link: Link) -> Iterator[Diagnostic]:
         likeness = "a part of the same name, without the role" if namesake is not None else "a number of the same size"
         help = f"add `role: unit_address` to {part.name} of the {other}, or allow this if it is not an address"
         related_label = label(part.place, "name", f"the {other} has {likeness}")
-        yield finding(_CODE, own.place, "role", text, help, related_label, severity=severity)
+        yield finding(own.place, "role", text, help, related_label, severity=severity)
 
 
 def _address(parts: tuple[Part, ...]) -> Part | None:

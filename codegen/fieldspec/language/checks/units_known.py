@@ -14,17 +14,15 @@ have under `units`, with its quantity and its factor. Correct the code, or remov
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding, label, near
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, near
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact, Place
 from fieldspec.language.model.ucum import is_code
 from fieldspec.language.model.units import standard_unit, standard_units
 
-_CODE = "units_known"
 _SCALED = re.compile(r"([0-9]+(?:\.[0-9]+)?) ?(.+)")
 _OTHER_WORDS = {
     "amp": "A",
@@ -80,25 +78,25 @@ _LOOKALIKES = str.maketrans(
 """Characters that look like unit symbols: the ordinal indicator and the ring above like the sign of degrees."""
 
 
-def units_known(device: Device) -> Iterator[Diagnostic]:
+def units_known(device: Device) -> Findings:
     declared: dict[str, Place] = {}
     for own in device.units.values():
         symbol = own.symbol
         standard = standard_unit(symbol)
         if standard is not None:
             text = f"every spec may use the unit {symbol}"
-            yield finding(_CODE, own.place, "symbol", text, f"remove the declaration, and use `{standard.symbol}`")
+            yield finding(own.place, "symbol", text, f"remove the declaration, and use `{standard.symbol}`")
         elif symbol in declared:
             related_label = label(declared[symbol], "symbol", "the first one")
             text = f"two units have the symbol {symbol}"
-            yield finding(_CODE, own.place, "symbol", text, "rename one of them", related_label)
+            yield finding(own.place, "symbol", text, "rename one of them", related_label)
         declared.setdefault(symbol, own.place)
         if own.factor and not own.quantity:
             text = f"{symbol} has a factor, but no quantity, so that nothing is converted to it"
-            yield finding(_CODE, own.place, "factor", text, "state the `quantity` that the unit measures")
+            yield finding(own.place, "factor", text, "state the `quantity` that the unit measures")
         if own.ucum and not is_code(own.ucum):
             text = f"`{own.ucum}` is not a UCUM code, which has symbols with exponents, joined by `.` and `/`"
-            yield finding(_CODE, own.place, "ucum", text, "write it as `mm/{rev}`, `m/s2` or `kg.m2`, or remove it")
+            yield finding(own.place, "ucum", text, "write it as `mm/{rev}`, `m/s2` or `kg.m2`, or remove it")
     known = {*declared, *standard_units()}
     stated: list[tuple[Fact, str]] = [(fact, value.quantity_unit) for fact, value in values(device)]
     stated += [(limit, limit.unit) for limit in device.limits]
@@ -110,7 +108,7 @@ def units_known(device: Device) -> Iterator[Diagnostic]:
                 (own for own in standard_units().values() if own.title.lower() == unit.lower()), None
             )
             help = f"write it as `{_yaml_text(titled.symbol)}`" if titled is not None else _meant(unit, known)
-            yield finding(_CODE, fact.place, "unit", f"`unit` cannot be `{unit}`", help)
+            yield finding(fact.place, "unit", f"`unit` cannot be `{unit}`", help)
 
 
 def _meant(unit: str, known: Collection[str]) -> str:

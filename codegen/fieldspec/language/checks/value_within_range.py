@@ -11,24 +11,21 @@ under `sentinels`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import values
-from fieldspec.language.checks.finding import finding, label, range_key
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.checks.numbers import Legal, numbers
-from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 
 _HELP = "correct one of them, or list the value under `sentinels`"
 
 
-def value_within_range(device: Device) -> Iterator[Diagnostic]:
+def value_within_range(device: Device) -> Findings:
     legal = Legal(device)
     for fact, value in values(device):
         reason = legal.objection(value, value.const, writes=True) if value.const is not None else ""
         if reason:
             text = f"{fact.name} is always {value.const}, which {reason}"
-            yield finding("value_within_range", fact.place, "const", text, _HELP)
+            yield finding(fact.place, "const", text, _HELP)
     for example in device.examples.values():
         if example.refused:
             continue
@@ -37,4 +34,4 @@ def value_within_range(device: Device) -> Iterator[Diagnostic]:
             if reason:
                 text = f"{path} is {number} in the example {example.id}, which {reason}"
                 related_label = label(fact.place, range_key(fact.place), "its permitted values")
-                yield finding("value_within_range", example.place, "values", text, _HELP, related_label)
+                yield finding(example.place, "values", text, _HELP, related_label)

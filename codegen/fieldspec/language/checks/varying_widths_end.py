@@ -18,11 +18,9 @@ type: u8, measures: {bytes: label}}`. Remove `varies` if the manual prints a fix
 from __future__ import annotations
 
 import string
-from collections.abc import Iterator
 
 from fieldspec.language.checks.facts import layers, values
-from fieldspec.language.checks.finding import finding, label, range_key
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label, range_key
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_letters, has_sign
 from fieldspec.language.model.encoding import is_array, is_signed, is_text
@@ -33,10 +31,8 @@ from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.text_form import PACKED_ASCII, UTF_16
 from fieldspec.language.model.value import Value
 
-_CODE = "varying_widths_end"
 
-
-def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
+def varying_widths_end(device: Device) -> Findings:
     messages = {id(field) for message in device.messages.values() for body in _bodies(message) for field in body.fields}
     sizes = RecordSizes(device)
     refusing = {link.exception_response.record for link in device.links.values() if link.exception_response is not None}
@@ -55,14 +51,14 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
             continue
         unused = [key for key in ("padding", "align") if key in fact.place and is_text(value.encoding)]
         for key in unused:
-            yield finding(_CODE, fact.place, key, f"`{key}` has no effect in a text that varies", f"remove `{key}`")
+            yield finding(fact.place, key, f"`{key}` has no effect in a text that varies", f"remove `{key}`")
         if unused:
             continue
         is_in_place = id(fact) in messages or id(fact) in parts or id(fact) in cases
         is_case = id(fact) in cases
         problem = "" if is_case and value.is_marked else _form(value) or ("" if is_case else _place(fact, is_in_place))
         if problem:
-            yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", _cure(fact, value, is_in_place))
+            yield finding(fact.place, "varies", f"{fact.name} {problem}", _cure(fact, value, is_in_place))
     for message in device.messages.values():
         for body in _bodies(message):
             yield from _of_message(sizes, message, body)
@@ -122,7 +118,7 @@ def _place(fact: Fact, is_in_message: bool) -> str:
     return "is reserved, and has the same width everywhere" if fact.reserved else ""
 
 
-def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Iterator[Diagnostic]:
+def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Findings:
     """The findings of the fields around those that vary in width."""
     varying = [field for field in body.fields if field.value is not None and field.value.width]
     if not varying:
@@ -134,12 +130,12 @@ def _of_message(sizes: RecordSizes, message: Message, body: Record) -> Iterator[
         key, objection = _beside(sizes, field) if endless is not None else ("", "")
         if objection and endless is not None:
             text = f"{field.name} has {objection}, and {endless.name} varies in width"
-            yield finding(_CODE, field.place, key, text, "state one of them in a message of its own")
+            yield finding(field.place, key, text, "state one of them in a message of its own")
         elif field.measures is not None and other in varying and other is not None:
             yield from _of_count(body, field, other)
     if message.accesses:
         text = f"{message.name} reads or writes registers, and {varying[0].name} varies in width"
-        yield finding(_CODE, varying[0].place, "varies", text, "remove it, and state the usual length")
+        yield finding(varying[0].place, "varies", text, "remove it, and state the usual length")
     for field in varying:
         yield from _end(body, field)
 
@@ -157,7 +153,7 @@ def _beside(sizes: RecordSizes, field: Field) -> tuple[str, str]:
     return ("measures", "a number of bytes in its bits") if field.bit_measure is not None else ("", "")
 
 
-def _of_record(record: Record) -> Iterator[Diagnostic]:
+def _of_record(record: Record) -> Findings:
     """The findings of a record whose texts are counted; none for others."""
     texts = [field for field in record.fields if field.value is not None and field.value.width]
     for text in texts:
@@ -166,29 +162,29 @@ def _of_record(record: Record) -> Iterator[Diagnostic]:
                 yield from _of_count(record, field, text)
 
 
-def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
+def _of_count(body: Record, field: Field, text: Field) -> Findings:
     """The finding of a field that measures a value that varies in width, unless it may count the bytes of that text."""
     count, value, measure = text_count(body, text), field.value, field.measures
     assert measure is not None
     if text.value is None or not is_text(text.value.encoding):
         message = f"{field.name} measures {text.name}, which varies in width and is not a text"
-        yield finding(_CODE, field.place, "measures", message, "let a `length` in the frame count the message")
+        yield finding(field.place, "measures", message, "let a `length` in the frame count the message")
         return
     if count is not field or value is None:
         message = f"{field.name} cannot count the bytes of {text.name}, which varies in width"
         form = f"{{name: {field.name}, type: u8, measures: {{bytes: {text.name}}}}}"
         help = f"state one field before the text, a whole number without a meaning of its own: `{form}`"
-        yield finding(_CODE, field.place, "measures", message, help)
+        yield finding(field.place, "measures", message, help)
         return
     low, high = measure.plus, text.value.width + measure.plus
     related_label = label(text.place, "length", "the most bytes of the text")
     if value.ranges is not None and merged(value.ranges.intervals) != [(low, high)]:
         message = f"{field.name} has the range {value.ranges.text()}, but {text.name} makes it {low}..{high}"
         help = "remove the range, or correct the `length` of the text"
-        yield finding(_CODE, field.place, range_key(field.place), message, help, related_label)
+        yield finding(field.place, range_key(field.place), message, help, related_label)
 
 
-def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
+def _end(body: Record, field: Field) -> Findings:
     """The finding of a value without a visible end."""
     index = body.fields.index(field)
     if index + 1 == len(body.fields) or text_count(body, field) is not None:
@@ -199,10 +195,10 @@ def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
     if end is None or end.const is None or end.type.name != "u8" or end.digits or following.count is not None:
         text = f"{field.name} varies in width, and {following.name} is not a constant of one byte"
         help = "state what separates them: `{name: comma, type: u8, const: 0x2C}`"
-        yield finding(_CODE, field.place, "varies", text, help)
+        yield finding(field.place, "varies", text, help)
     elif end.const in _own_bytes(value):
         text = f"{field.name} may have the byte 0x{end.const:02X}, which would end it"
-        yield finding(_CODE, following.place, "const", text, "correct the separator")
+        yield finding(following.place, "const", text, "correct the separator")
 
 
 def _own_bytes(value: Value) -> bytes:

@@ -12,20 +12,15 @@ way.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.addresses import on_wire, wire_numbers
-from fieldspec.language.checks.finding import addresses, finding, hexadecimal, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, addresses, finding, hexadecimal, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Place
 from fieldspec.language.model.ranges import uncovered
 from fieldspec.language.model.registers import ParameterSet
 
-_CODE = "wire_numbers_match"
 
-
-def wire_numbers_match(device: Device) -> Iterator[Diagnostic]:
+def wire_numbers_match(device: Device) -> Findings:
     for parameter_set in device.parameters.values():
         yield from _printed(parameter_set)
     spaces: dict[str, list[ParameterSet]] = {}
@@ -36,7 +31,7 @@ def wire_numbers_match(device: Device) -> Iterator[Diagnostic]:
         earlier.append(parameter_set)
 
 
-def _printed(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
+def _printed(parameter_set: ParameterSet) -> Findings:
     for parameter in parameter_set.parameters:
         right = parameter_set.base + parameter.number
         if parameter.wire_number is not None and parameter.wire_number != right:
@@ -46,10 +41,10 @@ def _printed(parameter_set: ParameterSet) -> Iterator[Diagnostic]:
                 parameter_set.place, "base", f"{parameter_set.name} begins at {hexadecimal(parameter_set.base)}"
             )
             help = "correct the number, the number on the wire or the base"
-            yield finding(_CODE, parameter.place, "wire_number", text, help, related_label)
+            yield finding(parameter.place, "wire_number", text, help, related_label)
 
 
-def _claimed(parameter_set: ParameterSet, other: ParameterSet) -> Iterator[Diagnostic]:
+def _claimed(parameter_set: ParameterSet, other: ParameterSet) -> Findings:
     """The first number of a set that another one has too."""
     other_numbers = wire_numbers([other])
     claims: list[tuple[int, int, str, Place, str]] = [
@@ -66,5 +61,5 @@ def _claimed(parameter_set: ParameterSet, other: ParameterSet) -> Iterator[Diagn
                 other.place, "base", f"{other.name} has {addresses(other_numbers[0][0], other_numbers[-1][1])}"
             )
             help = "correct a number, a base or the space of one of the sets"
-            yield finding(_CODE, place, key, text, help, related_label)
+            yield finding(place, key, text, help, related_label)
             return

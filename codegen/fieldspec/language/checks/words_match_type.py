@@ -10,18 +10,15 @@ Fix: Correct the type, the length or the words, and write an erratum if the manu
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.checks.facts import layers
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.sizes import RecordSizes
 
 
-def words_match_type(device: Device) -> Iterator[Diagnostic]:
+def words_match_type(device: Device) -> Findings:
     for register in device.registers():
         if register.unit_size == 2:
             yield from _compare_words(register, register.words, 2 * register.width, register.value.type.name)
@@ -33,16 +30,15 @@ def words_match_type(device: Device) -> Iterator[Diagnostic]:
                 continue
             if bounds[0] != bounds[1]:
                 text = f"{field.name} is printed with {plural(field.words, 'word')}, but its size is not fixed"
-                yield finding("words_match_type", field.place, "words", text, "remove the words")
+                yield finding(field.place, "words", text, "remove the words")
             else:
                 type_name = field.value.type.name if field.value is not None else field.record
                 yield from _compare_words(field, field.words, bounds[0], type_name)
 
 
-def _compare_words(fact: Fact, words: int | None, size: int, type_name: str) -> Iterator[Diagnostic]:
+def _compare_words(fact: Fact, words: int | None, size: int, type_name: str) -> Findings:
     if words is not None and 2 * words != size:
         yield finding(
-            "words_match_type",
             fact.place,
             "words",
             f"{fact.name} is printed with {plural(words, 'word')}; as {type_name} it has {plural(size, 'byte')}",

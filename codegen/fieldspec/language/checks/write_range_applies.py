@@ -13,21 +13,16 @@ message.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from fieldspec.language.checks.facts import cases, nested_fields, values
-from fieldspec.language.checks.finding import finding, label
-from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.record import Field
 from fieldspec.language.model.value import Value
 
-_CODE = "write_range_applies"
 
-
-def write_range_applies(device: Device) -> Iterator[Diagnostic]:
+def write_range_applies(device: Device) -> Findings:
     for fact, value in values(device):
         if value.write_ranges is not None:
             yield from _of_value(fact, value)
@@ -41,21 +36,21 @@ def write_range_applies(device: Device) -> Iterator[Diagnostic]:
             yield from _in_frame(device, field)
 
 
-def _of_value(fact: Fact, value: Value) -> Iterator[Diagnostic]:
+def _of_value(fact: Fact, value: Value) -> Findings:
     if not is_count(value.encoding) or value.flags:
         text = f"{fact.name} is not a whole number, so `write_range` does not apply"
-        yield finding(_CODE, fact.place, "write_range", text, "remove it")
+        yield finding(fact.place, "write_range", text, "remove it")
     elif value.const is not None:
         text = f"{fact.name} is always {value.const} when it is written"
         related_label = label(fact.place, "const", "the values that can be written")
-        yield finding(_CODE, fact.place, "write_range", text, "remove one of them", related_label)
+        yield finding(fact.place, "write_range", text, "remove one of them", related_label)
     elif getattr(fact, "access", "") == "ro":
         text = f"{fact.name} is read-only, so no value can be written"
         related_label = label(fact.place, "access", "its access")
-        yield finding(_CODE, fact.place, "write_range", text, "correct one of them", related_label)
+        yield finding(fact.place, "write_range", text, "correct one of them", related_label)
 
 
-def _in_frame(device: Device, outer: Field) -> Iterator[Diagnostic]:
+def _in_frame(device: Device, outer: Field) -> Findings:
     """The faults of a field of a message, or of the fields of its record."""
     for field in nested_fields(device, [outer]):
         values_here = [field.value] if field.value is not None else []
@@ -64,6 +59,4 @@ def _in_frame(device: Device, outer: Field) -> Iterator[Diagnostic]:
             text = f"{field.name} is in a message, which is either written or read"
             related_label = label(outer.place, "name", "the field of the message")
             help = "define a separate field for the message, with its own `range`"
-            yield finding(
-                _CODE, field.place, "write_range", text, help, *([related_label] if outer is not field else [])
-            )
+            yield finding(field.place, "write_range", text, help, *([related_label] if outer is not field else []))

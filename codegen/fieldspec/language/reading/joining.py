@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from fieldspec.language.diagnostics import Diagnostic, Label
 from fieldspec.language.reading.findings import near
 from fieldspec.language.reading.nodes import Mapping, Node, Scalar, Sequence, identity
-from fieldspec.language.reading.rows import rows_in_order
-from fieldspec.language.reading.used_records import used_records
 from fieldspec.language.reading.yaml_reader import key_span
 
 _NO_DIGITS = str.maketrans("", "", "0123456789")
@@ -139,3 +137,72 @@ def _without_standards(base: Mapping, override: Mapping) -> Mapping:
 
 def _has_names(sequence: Sequence) -> bool:
     return bool(sequence.items) and all(identity(item) is not None for item in sequence.items)
+
+
+def rows_in_order(merged: Node, base: Sequence, override: Sequence) -> Node:
+    """Merged rows with each row that `base` does not have after the row of `base` that it follows in `override`."""
+    assert isinstance(merged, Sequence)
+    if any(identity(item) is None for item in (*base.items, *override.items)):
+        return merged
+    known = {identity(item) for item in base.items}
+    following: dict[str, list[Node]] = {}
+    last: str | None = None
+    for item in override.items:
+        name = identity(item)
+        if name in known:
+            last = name
+        elif last is not None:
+            following.setdefault(last, []).append(item)
+    moved = {identity(item) for items in following.values() for item in items}
+    rows: list[Node] = []
+    for item in merged.items:
+        if identity(item) not in moved:
+            rows += [item, *following.get(identity(item) or "", ())]
+    return Sequence(merged.file, merged.start, merged.end, tuple(rows))
+
+
+def used_records(protocol: Mapping, records: Sequence, messages: Sequence, device: Mapping) -> Sequence:
+    """The records without those that only other messages of the protocol have.
+
+    `messages` are the chosen ones. A record stays if the device has an entry of it, or names it.
+    """
+    all_messages = protocol.values.get("messages")
+    chosen = {identity(message) for message in messages.items}
+    other_messages = [message for message in _items(all_messages) if identity(message) not in chosen]
+    by_name = {identity(record): record for record in records.items}
+    sections = (own for key, own in protocol.values.items() if key not in ("messages", "records"))
+    entries = {identity(record) for record in _items(device.values.get("records"))}
+    needed_names = _with_inner({*_names((*sections, *messages.items, device)), *entries}, by_name)
+    unneeded = _with_inner(_names(other_messages), by_name) - needed_names
+    items = tuple(record for record in records.items if identity(record) not in unneeded)
+    return Sequence(records.file, records.start, records.end, items)
+
+
+def _items(node: Node | None) -> tuple[Node, ...]:
+    return node.items if isinstance(node, Sequence) else ()
+
+
+def _with_inner(names: set[str | None], records: dict[str | None, Node]) -> set[str | None]:
+    """Names of records and of the records in them."""
+    reached: set[str | None] = set()
+    waiting = names
+    while waiting:
+        reached |= waiting
+        waiting = _names(records[name] for name in waiting if name in records) - reached
+    return reached
+
+
+def _names(nodes: Iterable[Node]) -> set[str | None]:
+    """The names under `record` anywhere in some nodes."""
+    names: set[str | None] = set()
+    waiting = [*nodes]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, Mapping):
+            name = node.values.get("record")
+            if isinstance(name, Scalar):
+                names.add(name.text)
+            waiting += node.values.values()
+        elif isinstance(node, Sequence):
+            waiting += node.items
+    return names

@@ -15,18 +15,7 @@ from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth,
 from fieldspec.language.model.value import Sentinel, Value
 from fieldspec.targets.c.conditions import among_test, refused_number
 from fieldspec.targets.c.declarations import Declaration, Define, Function, comment, escape_comment
-from fieldspec.targets.c.expressions import (
-    VALUE,
-    Expression,
-    Group,
-    Operation,
-    Type,
-    all_of,
-    any_of,
-    at_least,
-    at_most,
-    greater,
-)
+from fieldspec.targets.c.expressions import VALUE, Expression, Group, Type, all_of, any_of
 from fieldspec.targets.c.literals import FALSE, hexadecimal
 from fieldspec.targets.c.machine import literal, macro_literal, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming, Noun
@@ -185,12 +174,12 @@ def _absent_test(naming: Naming, value: Value) -> Expression:
         case Real():
             numbers = [literal(encoding, number) for number, _ in value.special_intervals]
             tests: list[Expression] = [
-                Group(all_of([at_least(VALUE, number), at_most(VALUE, number)])) for number in numbers
+                Group(all_of([VALUE.at_least(number), VALUE.at_most(number)])) for number in numbers
             ]
         case _:
             assert_never(encoding)
     if value.absent_nan:
         bits, size = to_bits(naming, encoding, VALUE), value.size
-        magnitude = Group(Operation("&", (bits, hexadecimal((1 << (8 * size - 1)) - 1, size))))
-        tests.append(greater(magnitude, hexadecimal(infinity(encoding.precision), size)))
+        magnitude = Group(bits & hexadecimal((1 << (8 * size - 1)) - 1, size))
+        tests.append(magnitude.greater(hexadecimal(infinity(encoding.precision), size)))
     return any_of(tests)

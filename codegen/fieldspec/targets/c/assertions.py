@@ -8,18 +8,7 @@ from typing import Any
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Octets, Real, Text, Truth, Whole, real_bits
-from fieldspec.targets.c.expressions import (
-    Call,
-    Element,
-    Expression,
-    Identifier,
-    Literal,
-    Member,
-    SizeOf,
-    Unary,
-    all_of,
-    equal,
-)
+from fieldspec.targets.c.expressions import Call, Expression, Identifier, Literal, SizeOf, Unary, all_of
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.literals import FALSE, TRUE, byte_string, decimal, hexadecimal, integer, string, unsigned
 from fieldspec.targets.c.machine import of_bits, to_bits
@@ -48,7 +37,7 @@ def expect_bytes(description: str, memory: Expression, data: bytes) -> Evaluatio
 
 def same_array(memory: Identifier, expected: Identifier) -> Expression:
     """`length == sizeof wanted && same_bytes(memory, wanted, length)`"""
-    return all_of([equal(LENGTH, SizeOf(expected)), Call("same_bytes", (memory, expected, LENGTH))])
+    return all_of([LENGTH.equals(SizeOf(expected)), Call("same_bytes", (memory, expected, LENGTH))])
 
 
 def clear_variable(variable: Expression) -> Evaluation:
@@ -69,7 +58,7 @@ def set_member(naming: Naming, form: RecordForm, field: FieldLayout, value: Any,
     """Gives the member of a field its value, and the one for the number of its elements."""
     statements: list[Statement] = []
     if field.field.repeat is not None:
-        statements.append(assign(Member(struct, form.count_name(field)), unsigned(len(value))))
+        statements.append(assign(struct.member(form.count_name(field)), unsigned(len(value))))
     for target, item in _elements(form, field, struct, value):
         if field.record is not None:
             statements += set_members(naming, form_of_values(field.record, item), item, target)
@@ -88,7 +77,7 @@ def expect_members(
             continue
         value = values[field.name]
         if field.field.repeat is not None:
-            count = Member(struct, form.count_name(field))
+            count = struct.member(form.count_name(field))
             statements.append(expect_equal(f"{description}: {field.name} count", count, unsigned(len(value))))
         for target, item in _elements(form, field, struct, value):
             if field.record is not None:
@@ -102,20 +91,20 @@ def _elements(form: RecordForm, field: FieldLayout, struct: Expression, value: A
     """Each element of a field with its value."""
     target = struct
     for name in form.member_names(field):
-        target = Member(target, name)
+        target = target.member(name)
     if not field.is_list:
         yield target, value
         return
     for index, item in enumerate(value):
-        yield Element(target, decimal(index)), item
+        yield target.element(decimal(index)), item
 
 
 def _set_element(naming: Naming, field: FieldLayout, target: Expression, item: Any) -> list[Statement]:
     encoding = field.primitive.encoding
     match encoding:
         case Octets() if field.value is not None and field.value.is_marked:
-            count = assign(Member(target, COUNT), unsigned(len(item)))
-            return [count, call("copy", Member(target, DATA), byte_string(item), unsigned(len(item)))]
+            count = assign(target.member(COUNT), unsigned(len(item)))
+            return [count, call("copy", target.member(DATA), byte_string(item), unsigned(len(item)))]
         case Text() | Octets():
             data = _data(item)
             return [call("copy", target, byte_string(data), unsigned(len(data)))] if data else []
@@ -133,8 +122,8 @@ def _expect_member(
     encoding = field.primitive.encoding
     match encoding:
         case Octets() if field.value is not None and field.value.is_marked:
-            count = expect_equal(f"{description} count", Member(target, COUNT), unsigned(len(item)))
-            return [count, expect_bytes(description, Member(target, DATA), item)]
+            count = expect_equal(f"{description} count", target.member(COUNT), unsigned(len(item)))
+            return [count, expect_bytes(description, target.member(DATA), item)]
         case Text() | Octets():
             data = _data(item)
             return [expect_bytes(description, target, data)] if data else []

@@ -11,7 +11,7 @@ from fieldspec.foundation.runtime._checksums import reflected
 from fieldspec.language.model.checksums import DIGITS, SIMPLE, Checksum, algorithm_name, checksum_named
 from fieldspec.language.model.codecs import checksum_codec
 from fieldspec.targets.c.declarations import Declaration, Source
-from fieldspec.targets.c.expressions import Call, Expression, Identifier, add, add_size, different, negate
+from fieldspec.targets.c.expressions import Call, Expression, Identifier
 from fieldspec.targets.c.literals import decimal, hexadecimal, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.number_access import access_name
@@ -223,17 +223,17 @@ def compute_checksum(naming: Naming, checksum: PartLayout, source: Expression, t
     start, stop = checksum.start, checksum.stop or 0
     first = source
     if start:
-        first = add(source, decimal(start) if start > 0 else add_size(total, start))
+        first = source + (decimal(start) if start > 0 else total.plus(start))
     # A start and a stop that are counted from the same end bound a constant size.
-    size = unsigned(stop - start) if start < 0 or stop > 0 else add_size(total, stop - start)
+    size = unsigned(stop - start) if start < 0 or stop > 0 else total.plus(stop - start)
     return Call(naming.own(_function_name(checksum)), (first, size))
 
 
 def is_wrong(naming: Naming, checksum: PartLayout, computed: Expression, place: Expression) -> Expression:
     """The test whether a received checksum is another one: `crc16_modbus(in, length - 2u) != load_u16_le(...)`"""
     if _is_number(checksum):
-        return different(computed, Call(naming.own(f"load_{_access(checksum)}"), (place,)))
-    return negate(Call(naming.own("is_checksum"), (place, *_characters(checksum, computed))))
+        return computed.differs(Call(naming.own(f"load_{_access(checksum)}"), (place,)))
+    return Call(naming.own("is_checksum"), (place, *_characters(checksum, computed))).negated()
 
 
 def store_checksum(naming: Naming, checksum: PartLayout, computed: Expression, place: Expression) -> Statement:

@@ -31,22 +31,7 @@ from fieldspec.language.model.encoding import (
     number_of,
 )
 from fieldspec.language.model.value import Value
-from fieldspec.targets.c.expressions import (
-    Call,
-    Cast,
-    Expression,
-    Group,
-    Operation,
-    all_of,
-    any_of,
-    at_least,
-    at_most,
-    different,
-    equal,
-    greater,
-    less,
-    negate,
-)
+from fieldspec.targets.c.expressions import Call, Expression, Group, Operation, all_of, any_of
 from fieldspec.targets.c.flags import joined_bits
 from fieldspec.targets.c.literals import INT64, TRUE, UINT64, hexadecimal, real, unsigned
 from fieldspec.targets.c.machine import literal, machine, machine_whole
@@ -60,9 +45,9 @@ def refused_number(naming: Naming, encoding: Encoding, test: Test, number: Expre
     """
     match test:
         case Equals():
-            return different(number, literal(encoding, test.number))
+            return number.differs(literal(encoding, test.number))
         case IsBit():
-            return greater(number, unsigned(1))
+            return number.greater(unsigned(1))
         case Known():
             return _unknown(naming, encoding, test, number)
         case Within():
@@ -87,8 +72,8 @@ def out_of_range_test(value: Value, number: Expression) -> Expression | None:
 def _unknown(naming: Naming, encoding: Encoding, test: Known, number: Expression) -> Expression:
     """`!stop_mode_known((int64_t)value)`"""
     is_wide = any(high > INT64.bounds[1] for _, high in test.members)
-    cast = Cast(machine(UINT64 if is_wide else INT64).type, number)
-    known = negate(Call(naming.function("enum", test.enum, "known"), (cast,)))
+    cast = number.cast(machine(UINT64 if is_wide else INT64).type)
+    known = Call(naming.function("enum", test.enum, "known"), (cast,)).negated()
     return all_of([known, *_beside(encoding, test.sentinels, number)])
 
 
@@ -102,7 +87,7 @@ def _outside(encoding: Encoding, test: Within, number: Expression) -> Expression
         if bounds is None:
             return None
         tests.append(bounds)
-    return negate(_either(tests))
+    return _either(tests).negated()
 
 
 def among_test(encoding: Encoding, intervals: Iterable[tuple[int, int]], number: Expression) -> list[Expression]:
@@ -121,9 +106,9 @@ def _beside(encoding: Encoding, intervals: Iterable[tuple[int, int]], number: Ex
     """The tests that all hold for a whole number in none of some intervals: `value != 3u`, `!(value >= 5u)`"""
     for interval in intervals:
         if interval[0] == interval[1]:
-            yield different(number, literal(encoding, interval[0]))
+            yield number.differs(literal(encoding, interval[0]))
         else:
-            yield from map(negate, among_test(encoding, [interval], number))
+            yield from (test.negated() for test in among_test(encoding, [interval], number))
 
 
 def _between(
@@ -132,9 +117,9 @@ def _between(
     """`number >= low && number <= high`, without a bound that is a limit; None where no bound is left."""
     low, high = interval
     if low == high:
-        return equal(number, constant(low))
-    bounds = [at_least(number, constant(low))] if low > limits[0] else []
-    bounds += [at_most(number, constant(high))] if high < limits[1] else []
+        return number.equals(constant(low))
+    bounds = [number.at_least(constant(low))] if low > limits[0] else []
+    bounds += [number.at_most(constant(high))] if high < limits[1] else []
     return all_of(bounds) if bounds else None
 
 
@@ -155,8 +140,8 @@ def _real_outside(encoding: Encoding, test: RealWithin, number: Expression) -> E
         case _:
             assert_never(encoding)
     if test.takes_nan:
-        return all_of([Group(any_of([less(number, low), greater(number, high)])) for low, high in pairs])
-    return negate(any_of([Group(all_of([at_least(number, low), at_most(number, high)])) for low, high in pairs]))
+        return all_of([Group(any_of([number.less(low), number.greater(high)])) for low, high in pairs])
+    return any_of([Group(all_of([number.at_least(low), number.at_most(high)])) for low, high in pairs]).negated()
 
 
 def _part_outside(encoding: Encoding, test: PartWithin, number: Expression) -> Expression:
@@ -164,14 +149,14 @@ def _part_outside(encoding: Encoding, test: PartWithin, number: Expression) -> E
     whole, mask = number_of(encoding), test.bit.mask
     assert whole is not None
     size = whole.bits // 8
-    masked: Expression = Group(Operation("&", (number, hexadecimal(mask, size))))
+    masked: Expression = Group(number & hexadecimal(mask, size))
     if test.bit.pieces:
-        masked = joined_bits(test.bit, Cast(machine(whole).word, number), machine(whole).word, size)
+        masked = joined_bits(test.bit, number.cast(machine(whole).word), machine(whole).word, size)
     parts = [
         _between(masked, image, (0, test.bit.greatest_image), lambda bits: hexadecimal(bits, size))
         for image in test.bit.images
     ]
-    refused = negate(_either([part for part in parts if part is not None]))
+    refused = _either([part for part in parts if part is not None]).negated()
     return all_of([refused, *_beside(encoding, test.sentinels, number)])
 
 

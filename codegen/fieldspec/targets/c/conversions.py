@@ -8,26 +8,7 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Encoding, bounds_of
 from fieldspec.language.model.value import Conversion
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment, describe_fact
-from fieldspec.targets.c.expressions import (
-    Cast,
-    Expression,
-    Group,
-    Identifier,
-    Operation,
-    Type,
-    add,
-    all_of,
-    any_of,
-    at_least,
-    at_most,
-    dereference,
-    different,
-    greater,
-    less,
-    multiply,
-    negate,
-    subtract,
-)
+from fieldspec.targets.c.expressions import Expression, Group, Identifier, Operation, Type, all_of, any_of
 from fieldspec.targets.c.literals import double, whole_double
 from fieldspec.targets.c.machine import literal, machine
 from fieldspec.targets.c.naming import Naming
@@ -67,16 +48,16 @@ def declare_conversion(naming: Naming, device: Device, conversion: Conversion) -
     ]
     low, high = count_bounds(device, conversion)
     kind = Type(count_type(conversion))
-    share: Expression = Operation("/", (Cast("double", RAW), whole_double(conversion.full_scale)))
+    share: Expression = RAW.cast("double") / whole_double(conversion.full_scale)
     if conversion.complement:
-        share = subtract(whole_double(1), share)
+        share = whole_double(1) - share
     return [
         describe_fact(conversion, *paragraphs),
         Function(
             _DOUBLE,
             naming.function("conversion", conversion.name, "from_raw"),
             (Variable(kind, "raw"), Variable(_DOUBLE, "reference")),
-            (Return(multiply(_REFERENCE, Group(share))),),
+            (Return(_REFERENCE * Group(share)),),
         ),
         BLANK,
         comment(
@@ -98,13 +79,13 @@ def declare_conversion(naming: Naming, device: Device, conversion: Conversion) -
 
 def _count_of_quantity(naming: Naming, conversion: Conversion, low: int, high: int) -> Body:
     """`count = quantity / reference * 16384.0;`, checked and then rounded to the nearest even count."""
-    share: Expression = Operation("/", (_QUANTITY, _REFERENCE))
+    share: Expression = _QUANTITY / _REFERENCE
     if conversion.complement:
-        share = Group(subtract(whole_double(1), share))
-    usable = any_of([less(_REFERENCE, whole_double(0)), greater(_REFERENCE, whole_double(0))])
+        share = Group(whole_double(1) - share)
+    usable = any_of([_REFERENCE.less(whole_double(0)), _REFERENCE.greater(whole_double(0))])
     unrounded = (
-        *refuse(naming, negate(usable), "err_out_of_range"),
-        assign(COUNT, multiply(share, whole_double(conversion.full_scale))),
+        *refuse(naming, usable.negated(), "err_out_of_range"),
+        assign(COUNT, share * whole_double(conversion.full_scale)),
     )
     return count_of_share(naming, conversion.type.encoding, (low, high), unrounded)
 
@@ -124,26 +105,26 @@ def count_of_share(
     name, is_signed = machine(encoding).type, bounds_of(encoding)[0] < 0
     zero, unit, two = (literal(encoding, number) for number in (0, 1, 2))
     # Beyond 53 bits a double has no halves: there the bound itself is the last number that fits.
-    lower_test = at_least(COUNT, whole_double(low)) if -low > 2**52 else greater(COUNT, _half(2 * low - 1))
-    upper_test = less(COUNT, whole_double(high + 1)) if high > 2**52 else less(COUNT, _half(2 * high + 1))
-    odd = different(Operation("%", (_WHOLE, two)), zero)
-    above = any_of([greater(_REST, double(0.5)), Group(all_of([at_least(_REST, double(0.5)), odd]))])
-    below = any_of([less(_REST, double(-0.5)), Group(all_of([at_most(_REST, double(-0.5)), odd]))])
-    round_down = If(below, (assign(_WHOLE, Cast(name, subtract(_WHOLE, unit))),))
+    lower_test = COUNT.at_least(whole_double(low)) if -low > 2**52 else COUNT.greater(_half(2 * low - 1))
+    upper_test = COUNT.less(whole_double(high + 1)) if high > 2**52 else COUNT.less(_half(2 * high + 1))
+    odd = (_WHOLE % two).differs(zero)
+    above = any_of([_REST.greater(double(0.5)), Group(all_of([_REST.at_least(double(0.5)), odd]))])
+    below = any_of([_REST.less(double(-0.5)), Group(all_of([_REST.at_most(double(-0.5)), odd]))])
+    round_down = If(below, (assign(_WHOLE, (_WHOLE - unit).cast(name)),))
     return (
         Variables(_DOUBLE, ("count", "rest")),
         Variable(Type(name), "whole"),
         *unrounded,
-        *refuse(naming, negate(all_of([lower_test, upper_test])), "err_out_of_range"),
-        assign(_WHOLE, Cast(name, COUNT)),
-        assign(_REST, subtract(COUNT, Cast("double", _WHOLE))),
-        If(above, (assign(_WHOLE, Cast(name, add(_WHOLE, unit))),), (round_down,) if is_signed else ()),
+        *refuse(naming, all_of([lower_test, upper_test]).negated(), "err_out_of_range"),
+        assign(_WHOLE, COUNT.cast(name)),
+        assign(_REST, COUNT - _WHOLE.cast("double")),
+        If(above, (assign(_WHOLE, (_WHOLE + unit).cast(name)),), (round_down,) if is_signed else ()),
         *refusals(_WHOLE),
-        assign(dereference(RAW), _WHOLE),
+        assign(RAW.dereferenced(), _WHOLE),
         return_ok(naming),
     )
 
 
 def _half(doubled: int) -> Operation:
     """`32767.0 / 2.0`"""
-    return Operation("/", (whole_double(doubled), whole_double(2)))
+    return whole_double(doubled) / whole_double(2)

@@ -14,21 +14,10 @@ from fieldspec.targets.c.expressions import (
     OUTPUT_BYTES,
     SIZE_TYPE,
     Call,
-    Cast,
-    Element,
     Expression,
     Identifier,
-    Operation,
     Type,
-    add,
     any_of,
-    at_least,
-    dereference,
-    different,
-    greater,
-    less,
-    multiply,
-    subtract,
 )
 from fieldspec.targets.c.literals import ZERO, decimal, hexadecimal, hexadecimal_digits, unsigned
 from fieldspec.targets.c.naming import Naming
@@ -58,17 +47,17 @@ def declare_unwrap(naming: Naming, link: LinkLayout, direction: str) -> list[Dec
     `codec_status ascii_parts(const uint8_t *frame, size_t size, uint8_t *out, size_t capacity, size_t *length)`
     """
     start, end = link.link.delimiters(direction)
-    length = dereference(LENGTH)
+    length = LENGTH.dereferenced()
     delimiters = len(start) + len(end)
     body: list[Statement] = [Variable(SIZE_TYPE, "at"), *_skip_preamble(link.link.preamble)]
     if delimiters:
-        body += refuse(naming, less(_SIZE, unsigned(delimiters)), "err_wrong_mark")
+        body += refuse(naming, _SIZE.less(unsigned(delimiters)), "err_wrong_mark")
         body += refuse(naming, any_of(_wrong_delimiters(start, end)), "err_wrong_mark")
-    body.append(assign(length, subtract(_SIZE, unsigned(delimiters))))
-    too_small = refuse(naming, less(CAPACITY, length), "err_capacity")
+    body.append(assign(length, _SIZE - unsigned(delimiters)))
+    too_small = refuse(naming, CAPACITY.less(length), "err_capacity")
     if link.link.transmission == "binary":
-        byte = Element(_FRAME, add(unsigned(len(start)), INDEX))
-        body += [*too_small, CountUp(INDEX, length, (assign(Element(OUT, INDEX), byte),))]
+        byte = _FRAME.element(unsigned(len(start)) + INDEX)
+        body += [*too_small, CountUp(INDEX, length, (assign(OUT.element(INDEX), byte),))]
     else:
         body += _read_characters(naming, len(start), length, too_small)
     body.append(return_ok(naming))
@@ -89,36 +78,36 @@ def _skip_preamble(preamble: Preamble | None) -> Body:
     """Steps over the bytes of a preamble before the least ones, which are the first of the start delimiter."""
     if preamble is None or not preamble.spare:
         return ()
-    is_other = different(Element(_FRAME, INDEX), hexadecimal(preamble.byte, 1))
-    surplus = subtract(INDEX, unsigned(preamble.least)) if preamble.least else INDEX
+    is_other = _FRAME.element(INDEX).differs(hexadecimal(preamble.byte, 1))
+    surplus = INDEX - unsigned(preamble.least) if preamble.least else INDEX
     steps = (Assignment(_FRAME, surplus, "+="), Assignment(_SIZE, surplus, "-="))
     return (
-        CountUp(INDEX, unsigned(preamble.most), (If(any_of([at_least(INDEX, _SIZE), is_other]), (Break(),)),)),
-        If(greater(INDEX, unsigned(preamble.least)), steps),
+        CountUp(INDEX, unsigned(preamble.most), (If(any_of([INDEX.at_least(_SIZE), is_other]), (Break(),)),)),
+        If(INDEX.greater(unsigned(preamble.least)), steps),
     )
 
 
 def _wrong_delimiters(start: bytes, end: bytes) -> list[Expression]:
     """`frame[0] != 0x3Au`, `frame[size - 1u] != 0x0Au`"""
-    first = [different(Element(_FRAME, decimal(index)), hexadecimal(byte, 1)) for index, byte in enumerate(start)]
-    places = [subtract(_SIZE, unsigned(len(end) - index)) for index in range(len(end))]
-    last = [different(Element(_FRAME, place), hexadecimal(byte, 1)) for place, byte in zip(places, end, strict=True)]
+    first = [_FRAME.element(decimal(index)).differs(hexadecimal(byte, 1)) for index, byte in enumerate(start)]
+    places = [_SIZE - unsigned(len(end) - index) for index in range(len(end))]
+    last = [_FRAME.element(place).differs(hexadecimal(byte, 1)) for place, byte in zip(places, end, strict=True)]
     return [*first, *last]
 
 
 def _read_characters(naming: Naming, start: int, length: Expression, too_small: Body) -> Body:
     """Refuses what is not a hexadecimal digit, then joins two digits to each byte."""
     digit = naming.own("digit")
-    is_no_digit = greater(Call(digit, (Element(_FRAME, add(unsigned(start), INDEX)),)), unsigned(15))
-    first = Call(digit, (Element(_FRAME, add(unsigned(start), multiply(unsigned(2), INDEX))),))
-    second = Call(digit, (Element(_FRAME, add(unsigned(start + 1), multiply(unsigned(2), INDEX))),))
-    byte = Cast("uint8_t", Operation("|", (Operation("<<", (first, decimal(4))), second)))
+    is_no_digit = Call(digit, (_FRAME.element(unsigned(start) + INDEX),)).greater(unsigned(15))
+    first = Call(digit, (_FRAME.element(unsigned(start) + (unsigned(2) * INDEX)),))
+    second = Call(digit, (_FRAME.element(unsigned(start + 1) + (unsigned(2) * INDEX)),))
+    byte = ((first << decimal(4)) | second).cast("uint8_t")
     return (
         CountUp(INDEX, length, refuse(naming, is_no_digit, "err_not_hex")),
-        *refuse(naming, different(Operation("%", (length, unsigned(2))), ZERO), "err_wrong_length"),
+        *refuse(naming, (length % unsigned(2)).differs(ZERO), "err_wrong_length"),
         Assignment(length, unsigned(2), "/="),
         *too_small,
-        CountUp(INDEX, length, (assign(Element(OUT, INDEX), byte),)),
+        CountUp(INDEX, length, (assign(OUT.element(INDEX), byte),)),
     )
 
 
@@ -128,24 +117,21 @@ def wrap_frame(naming: Naming, link: LinkLayout, direction: str) -> Body:
     start, end = shape.further + shape.start, shape.end
     if link.link.transmission == "hex_ascii":
         digit = naming.own("hex_digit")
-        high = Cast("uint8_t", Operation(">>", (_BYTE, decimal(4))))
-        low = Cast("uint8_t", Operation("&", (_BYTE, unsigned(15))))
-        size = add(unsigned(len(start)), multiply(unsigned(2), _TOTAL))
-        first = add(unsigned(len(start)), multiply(unsigned(2), INDEX))
-        second = add(unsigned(len(start) + 1), multiply(unsigned(2), INDEX))
+        high = (_BYTE >> decimal(4)).cast("uint8_t")
+        low = (_BYTE & unsigned(15)).cast("uint8_t")
+        size = unsigned(len(start)) + (unsigned(2) * _TOTAL)
+        first = unsigned(len(start)) + (unsigned(2) * INDEX)
+        second = unsigned(len(start) + 1) + (unsigned(2) * INDEX)
         moved: Body = (
-            Variable(Type("uint8_t", const=True), "byte", value=Element(OUT, INDEX)),
-            assign(Element(OUT, first), Call(digit, (high,))),
-            assign(Element(OUT, second), Call(digit, (low,))),
+            Variable(Type("uint8_t", const=True), "byte", value=OUT.element(INDEX)),
+            assign(OUT.element(first), Call(digit, (high,))),
+            assign(OUT.element(second), Call(digit, (low,))),
         )
     else:
-        size = add(unsigned(len(start)), _TOTAL)
-        moved = (assign(Element(OUT, add(unsigned(len(start)), INDEX)), Element(OUT, INDEX)),)
+        size = unsigned(len(start)) + _TOTAL
+        moved = (assign(OUT.element(unsigned(len(start)) + INDEX), OUT.element(INDEX)),)
     return (
         CountDown(INDEX, _TOTAL, moved),
-        *(assign(Element(OUT, decimal(index)), hexadecimal_digits(byte, 2)) for index, byte in enumerate(start)),
-        *(
-            assign(Element(OUT, add(size, unsigned(index))), hexadecimal_digits(byte, 2))
-            for index, byte in enumerate(end)
-        ),
+        *(assign(OUT.element(decimal(index)), hexadecimal_digits(byte, 2)) for index, byte in enumerate(start)),
+        *(assign(OUT.element(size + unsigned(index)), hexadecimal_digits(byte, 2)) for index, byte in enumerate(end)),
     )

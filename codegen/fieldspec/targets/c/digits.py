@@ -5,7 +5,7 @@ from __future__ import annotations
 from fieldspec.language.model.digits import BCD, NIBBLES, PACKED_DECIMAL, has_sign, is_complement
 from fieldspec.language.model.encoding import is_signed
 from fieldspec.language.model.value import Value
-from fieldspec.targets.c.expressions import Call, Cast, Expression
+from fieldspec.targets.c.expressions import Call, Expression
 from fieldspec.targets.c.literals import FALSE, TRUE, unsigned
 from fieldspec.targets.c.machine import machine, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
@@ -32,22 +32,22 @@ def load_digits(naming: Naming, value: Value, source: Expression, number: Expres
     """`(uint16_t)load_digits(in + 4, 6u, 10u)`: the number of digits, as the type of the value."""
     kind = machine(value.encoding)
     if value.codec:
-        return Cast(kind.type, Call(naming.own(f"load_codec_{value.codec}"), (source,)))
+        return Call(naming.own(f"load_codec_{value.codec}"), (source,)).cast(kind.type)
     if has_sign(value):
         loaded = Call(naming.own("load_signed_digits"), (source, unsigned(value.size)))
-        return Cast(kind.type, loaded)
+        return loaded.cast(kind.type)
     if value.digits in NIBBLES:
         call = Call(naming.own(f"of_{nibbles_name(value)}"), (number, *_sign_place(value)))
-        return Cast(kind.type if is_signed(value.encoding) else kind.word, call)
+        return call.cast(kind.type if is_signed(value.encoding) else kind.word)
     if value.has_blanks:
         loaded = Call(naming.own("load_blank_digits"), (source, unsigned(value.size)))
-        return of_bits(naming, value.encoding, Cast(kind.word, loaded))
+        return of_bits(naming, value.encoding, loaded.cast(kind.word))
     base = 16 if LETTERS[value.digits] else 10
     if value.is_low_first:
         loaded = Call(naming.own("load_low_first_digits"), (source, unsigned(value.size)))
     else:
         loaded = Call(naming.own("load_digits"), (source, unsigned(value.size), unsigned(base)))
-    return of_bits(naming, value.encoding, Cast(kind.word, loaded))
+    return of_bits(naming, value.encoding, loaded.cast(kind.word))
 
 
 def digits_call(
@@ -55,7 +55,7 @@ def digits_call(
 ) -> tuple[str, tuple[Expression, ...]]:
     """The function that writes digits as characters, and its arguments."""
     if value.codec:
-        return naming.own(f"{value.codec}_encode"), (Cast("int64_t", number), target)
+        return naming.own(f"{value.codec}_encode"), (number.cast("int64_t"), target)
     size, places = unsigned(value.size), unsigned(value.places)
     if value.has_blanks:
         sign = "signed_" if is_signed(value.encoding) else ""

@@ -23,20 +23,13 @@ from fieldspec.targets.c.expressions import (
     INDEX,
     VALUE,
     Call,
-    Element,
     Expression,
     Identifier,
     Initializer,
-    Operation,
     SizeOf,
     Type,
-    address_of,
     all_of,
-    at_least,
-    at_most,
-    equal,
 )
-from fieldspec.targets.c.expressions import Member as StructMember
 from fieldspec.targets.c.literals import (
     FALSE,
     INT64,
@@ -175,10 +168,10 @@ def _known_function(naming: Naming, enum: Enum) -> list[Declaration]:
     for low, high in _runs(sorted({member.value for member in available_members(enum)})):
         minimum, maximum = integer(low, whole), integer(high, whole)
         if low == 0 and high > 0 and wide:
-            tests.append(at_most(VALUE, maximum))
+            tests.append(VALUE.at_most(maximum))
         else:
             tests.append(
-                equal(VALUE, minimum) if low == high else all_of([at_least(VALUE, minimum), at_most(VALUE, maximum)])
+                VALUE.equals(minimum) if low == high else all_of([VALUE.at_least(minimum), VALUE.at_most(maximum)])
             )
     body: list[Statement] = [If(test, (Return(TRUE),)) for test in tests[:-1]]
     if tests:
@@ -209,7 +202,7 @@ def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
     description = f"The texts of a code of {naming.type('enum', enum.name)}, or NULL if the code is unknown."
     members = [member for member in enum.members if member.value <= _LARGEST_CODE]
     texts, code = Identifier("texts"), Identifier("code")
-    row = Element(texts, INDEX)
+    row = texts.element(INDEX)
     body: tuple[Statement, ...] = (discard("code"), Return(NULL))
     if members:
         body = (
@@ -217,8 +210,8 @@ def declare_code_texts(naming: Naming, enum: Enum) -> list[Declaration]:
             Variable(INDEX.type, INDEX.name),
             CountUp(
                 INDEX,
-                Operation("/", (SizeOf(texts), SizeOf(Element(texts, ZERO)))),
-                (If(equal(StructMember(row, "code"), code), (Return(address_of(row)),)),),
+                SizeOf(texts) / SizeOf(texts.element(ZERO)),
+                (If(row.member("code").equals(code), (Return(row.address()),)),),
             ),
             Return(NULL),
         )

@@ -6,7 +6,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.language.model.escape import CAN_REMOTE, Escape
 from fieldspec.targets.c.declarations import Source
-from fieldspec.targets.c.expressions import Call, Expression, address_of
+from fieldspec.targets.c.expressions import Call, Expression
 from fieldspec.targets.c.fields import return_error
 from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
@@ -76,4 +76,4 @@ def escape_bytes(
     bounds = unsigned(frame.escape_start), unsigned(-(frame.escape_stop or 0))
     if keeps_size(frame):
         return (call(function, data, length, *bounds),)
-    return return_error(naming, Call(function, (data, address_of(length), *bounds, *room)))
+    return return_error(naming, Call(function, (data, length.address(), *bounds, *room)))

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TypeAlias
+from collections.abc import Callable, Sequence
 
 from fieldspec.foundation.classes import dataclass
 
@@ -17,15 +16,76 @@ class Type:
     pointer: bool = False
 
 
+def _operator(symbol: str) -> Callable[[Expression, Expression], Operation]:
+    return lambda left, right: Operation(symbol, (left, right))
+
+
+class Expression:
+    """A tree that has a value. Its operators make larger trees: `size + unsigned(2)` is `size + 2u` in C."""
+
+    __slots__ = ()
+
+    __add__ = _operator("+")
+    __sub__ = _operator("-")
+    __mul__ = _operator("*")
+    __truediv__ = _operator("/")
+    __mod__ = _operator("%")
+    __and__ = _operator("&")
+    __or__ = _operator("|")
+    __xor__ = _operator("^")
+    __lshift__ = _operator("<<")
+    __rshift__ = _operator(">>")
+    equals = _operator("==")
+    differs = _operator("!=")
+    less = _operator("<")
+    greater = _operator(">")
+    at_least = _operator(">=")
+    at_most = _operator("<=")
+
+    def plus(self, number: int) -> Expression:
+        """`size + 2u`, `size - 2u`, or the size itself where there is nothing to add."""
+        if number < 0:
+            return self - Literal(f"{-number}u")
+        return self + Literal(f"{number}u") if number else self
+
+    def negated(self) -> Unary:
+        """`!test`"""
+        return Unary("!", self)
+
+    def address(self) -> Unary:
+        """`&variable`"""
+        return Unary("&", self)
+
+    def dereferenced(self) -> Unary:
+        """`*pointer`"""
+        return Unary("*", self)
+
+    def member(self, name: str) -> Member:
+        """`structure.name`"""
+        return Member(self, name)
+
+    def arrow(self, name: str) -> PointerMember:
+        """`pointer->name`"""
+        return PointerMember(self, name)
+
+    def element(self, index: Expression) -> Element:
+        """`array[index]`"""
+        return Element(self, index)
+
+    def cast(self, name: str) -> Cast:
+        """`(uint16_t)operand`"""
+        return Cast(name, self)
+
+
 @dataclass(frozen=True, slots=True)
-class Identifier:
+class Identifier(Expression):
     """A parameter, a constant or a macro by its name."""
 
     name: str
 
 
 @dataclass(frozen=True, slots=True)
-class Local:
+class Local(Expression):
     """A local variable, which is declared where the function that may have it is printed, if it uses it."""
 
     name: str
@@ -33,14 +93,14 @@ class Local:
 
 
 @dataclass(frozen=True, slots=True)
-class Literal:
+class Literal(Expression):
     """A constant as it is written; only the functions below make one."""
 
     text: str
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class Call(Expression):
     """A call of a function, or of a macro that looks like one."""
 
     function: str
@@ -48,7 +108,7 @@ class Call:
 
 
 @dataclass(frozen=True, slots=True)
-class Member:
+class Member(Expression):
     """`structure.name`"""
 
     structure: Expression
@@ -56,7 +116,7 @@ class Member:
 
 
 @dataclass(frozen=True, slots=True)
-class PointerMember:
+class PointerMember(Expression):
     """`pointer->name`"""
 
     pointer: Expression
@@ -64,7 +124,7 @@ class PointerMember:
 
 
 @dataclass(frozen=True, slots=True)
-class Element:
+class Element(Expression):
     """`array[index]`"""
 
     array: Expression
@@ -72,7 +132,7 @@ class Element:
 
 
 @dataclass(frozen=True, slots=True)
-class Unary:
+class Unary(Expression):
     """An operator before its operand: `!`, `~`, `&` or `*`"""
 
     operator: str
@@ -80,7 +140,7 @@ class Unary:
 
 
 @dataclass(frozen=True, slots=True)
-class Cast:
+class Cast(Expression):
     """`(uint16_t)operand`"""
 
     type: str
@@ -88,14 +148,14 @@ class Cast:
 
 
 @dataclass(frozen=True, slots=True)
-class SizeOf:
+class SizeOf(Expression):
     """`sizeof operand`"""
 
     operand: Expression
 
 
 @dataclass(frozen=True, slots=True)
-class Operation:
+class Operation(Expression):
     """Operands joined by one operator, from left to right."""
 
     operator: str
@@ -103,14 +163,14 @@ class Operation:
 
 
 @dataclass(frozen=True, slots=True)
-class Group:
+class Group(Expression):
     """Parentheses that C does not need and readers do."""
 
     content: Expression
 
 
 @dataclass(frozen=True, slots=True)
-class Conditional:
+class Conditional(Expression):
     """`test ? positive : negative`"""
 
     test: Expression
@@ -119,28 +179,11 @@ class Conditional:
 
 
 @dataclass(frozen=True, slots=True)
-class Initializer:
+class Initializer(Expression):
     """The values of an array or a struct: `{0x01, 0x02}`"""
 
     values: tuple[Expression, ...]
 
-
-Expression: TypeAlias = (
-    Identifier
-    | Local
-    | Literal
-    | Call
-    | Member
-    | PointerMember
-    | Element
-    | Unary
-    | Cast
-    | SizeOf
-    | Operation
-    | Group
-    | Conditional
-    | Initializer
-)
 
 SIZE_TYPE = Type("size_t")
 INPUT_BYTES = Type("uint8_t", const=True, pointer=True)
@@ -157,58 +200,6 @@ NUMBER = Identifier("number")
 INDEX = Local("at", SIZE_TYPE)
 
 
-def equal(left: Expression, right: Expression) -> Operation:
-    """`left == right`"""
-    return Operation("==", (left, right))
-
-
-def different(left: Expression, right: Expression) -> Operation:
-    """`left != right`"""
-    return Operation("!=", (left, right))
-
-
-def less(left: Expression, right: Expression) -> Operation:
-    """`left < right`"""
-    return Operation("<", (left, right))
-
-
-def greater(left: Expression, right: Expression) -> Operation:
-    """`left > right`"""
-    return Operation(">", (left, right))
-
-
-def at_least(left: Expression, right: Expression) -> Operation:
-    """`left >= right`"""
-    return Operation(">=", (left, right))
-
-
-def at_most(left: Expression, right: Expression) -> Operation:
-    """`left <= right`"""
-    return Operation("<=", (left, right))
-
-
-def add(left: Expression, right: Expression) -> Operation:
-    """`left + right`"""
-    return Operation("+", (left, right))
-
-
-def subtract(left: Expression, right: Expression) -> Operation:
-    """`left - right`"""
-    return Operation("-", (left, right))
-
-
-def multiply(left: Expression, right: Expression) -> Operation:
-    """`left * right`"""
-    return Operation("*", (left, right))
-
-
-def add_size(size: Expression, number: int) -> Expression:
-    """`size + 2u`, `size - 2u`, or the size itself where there is nothing to add."""
-    if number < 0:
-        return Operation("-", (size, Literal(f"{-number}u")))
-    return Operation("+", (size, Literal(f"{number}u"))) if number else size
-
-
 def all_of(tests: Sequence[Expression]) -> Expression:
     """`first && second`; a single test stands alone."""
     return tests[0] if len(tests) == 1 else Operation("&&", tuple(tests))
@@ -217,18 +208,3 @@ def all_of(tests: Sequence[Expression]) -> Expression:
 def any_of(tests: Sequence[Expression]) -> Expression:
     """`first || second`; a single test stands alone."""
     return tests[0] if len(tests) == 1 else Operation("||", tuple(tests))
-
-
-def negate(test: Expression) -> Unary:
-    """`!test`"""
-    return Unary("!", test)
-
-
-def address_of(variable: Expression) -> Unary:
-    """`&variable`"""
-    return Unary("&", variable)
-
-
-def dereference(pointer: Expression) -> Unary:
-    """`*pointer`"""
-    return Unary("*", pointer)

@@ -6,22 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.targets.c.declarations import Comment, Union, describe_fact, describe_value
-from fieldspec.targets.c.expressions import (
-    IN,
-    INDEX,
-    SIZE_TYPE,
-    Element,
-    Expression,
-    Group,
-    Local,
-    Member,
-    Operation,
-    PointerMember,
-    Type,
-    address_of,
-    different,
-    multiply,
-)
+from fieldspec.targets.c.expressions import IN, INDEX, SIZE_TYPE, Expression, Group, Local, Operation, Type
 from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, member
@@ -118,28 +103,28 @@ def walk_elements(
 
     `struct` is a pointer to the struct of the record, `data` one to its first byte.
     """
-    target: Expression = PointerMember(struct, member(field.name))
+    target: Expression = struct.arrow(member(field.name))
     size = field.size
     if case is not None:
-        target, size = Member(target, case_member(case)), case.value.size
+        target, size = target.member(case_member(case)), case.value.size
     if not field.is_list:
-        return element_body(Operation("+", (data, decimal(field.offset))), target)
+        return element_body(data + decimal(field.offset), target)
     repeated = field.field.repeat is not None
-    limit = PointerMember(struct, count_member(record, field)) if repeated else unsigned(field.count or 0)
-    pointer = Operation("+", (data, unsigned(field.offset), multiply(INDEX, unsigned(size))))
-    body = element_body(pointer, Element(target, INDEX))
+    limit = struct.arrow(count_member(record, field)) if repeated else unsigned(field.count or 0)
+    pointer = Operation("+", (data, unsigned(field.offset), INDEX * unsigned(size)))
+    body = element_body(pointer, target.element(INDEX))
     return (CountUp(INDEX, limit, body),) if body else ()
 
 
 def return_error(naming: Naming, call: Expression) -> Body:
     """`status = call; if (status != OK) { return status; }`"""
     variable = naming.status_variable()
-    return Assignment(variable, call), If(different(variable, naming.status("ok")), (Return(variable),))
+    return Assignment(variable, call), If(variable.differs(naming.status("ok")), (Return(variable),))
 
 
 def struct_argument(record: RecordLayout, struct: Expression) -> tuple[Expression, ...]:
     """`&struct` as the argument of a function; a record without members has no struct."""
-    return (address_of(struct),) if members(record) else ()
+    return (struct.address(),) if members(record) else ()
 
 
 def element_size(record: RecordLayout, field: FieldLayout) -> Expression:
@@ -154,12 +139,10 @@ def measured_size(record: RecordLayout, field: FieldLayout, struct: Expression) 
     other = record.named(measure.field)
     assert other is not None
     repeated = other.field.repeat is not None
-    count = PointerMember(struct, count_member(record, other)) if repeated else unsigned(other.count or 1)
+    count = struct.arrow(count_member(record, other)) if repeated else unsigned(other.count or 1)
     size = element_size(record, other) if measure.of == "bytes" else unsigned(1)
-    units = count if size == unsigned(1) else multiply(count, size)
-    if not measure.plus:
-        return units
-    return Group(Operation("+" if measure.plus > 0 else "-", (units, unsigned(abs(measure.plus)))))
+    units = count if size == unsigned(1) else count * size
+    return Group(units.plus(measure.plus)) if measure.plus else units
 
 
 # Fields whose type follows from an earlier field, the selector: unions in structs, and switches in functions.
@@ -189,12 +172,12 @@ def encoded_selector(selector: FieldLayout) -> Expression:
     assert value is not None
     if value.const is not None:
         return literal(value.encoding, value.const)
-    return PointerMember(IN, member(selector.name))
+    return IN.arrow(member(selector.name))
 
 
 def decoded_selector(naming: Naming, selector: FieldLayout) -> Expression:
     """`load_u8(in + 0)`: the value of the selector in bytes that are decoded."""
-    return load(naming, field_value(selector), Operation("+", (IN, decimal(selector.offset))))
+    return load(naming, field_value(selector), IN + decimal(selector.offset))
 
 
 def check_selector(naming: Naming, record: RecordLayout, selector: Expression) -> Statement:
@@ -225,7 +208,7 @@ def switch_cases(
 def deciding(field: FieldLayout, number: Expression) -> Expression:
     """`load_u8(in + 0) & 15u`: the bits of the number of a selector that decide the type of a field."""
     bits = field.deciding_bits
-    return number if bits is None else Operation("&", (number, unsigned(bits)))
+    return number if bits is None else number & unsigned(bits)
 
 
 def _unknown_value(naming: Naming) -> Body:

@@ -19,18 +19,7 @@ from fieldspec.targets.c.declarations import (
     describe_fact,
     escape_comment,
 )
-from fieldspec.targets.c.expressions import (
-    VALUE,
-    Cast,
-    Expression,
-    Group,
-    Identifier,
-    Operation,
-    Type,
-    Unary,
-    different,
-    equal,
-)
+from fieldspec.targets.c.expressions import VALUE, Expression, Group, Identifier, Operation, Type, Unary
 from fieldspec.targets.c.literals import ZERO, decimal, hexadecimal, integer, unsigned
 from fieldspec.targets.c.machine import machine, machine_bits
 from fieldspec.targets.c.naming import Naming
@@ -98,7 +87,7 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
     mask = Identifier(naming.macro("bit", word.name, name, "mask"))
     shift = Identifier(naming.macro("bit", word.name, name, "shift"))
     get = naming.function("bit", word.name, name)
-    masked = Operation("&", (_WORD, mask))
+    masked = _WORD & mask
     parameter = Variable(kind, "word")
     declarations: list[Declaration] = [
         describe_fact(bit, *facts),
@@ -113,17 +102,17 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
             for limit, bound in (("min", bit.ranges.low), ("max", bit.ranges.high))
         ]
     if bit.width == 1:
-        return [*declarations, Function(Type("bool"), get, (parameter,), (Return(different(masked, ZERO)),))]
-    cleared = Group(Operation("&", (_WORD, Cast(kind.name, Unary("~", mask)))))
-    number: Expression = Cast(kind.name, Operation(">>", (masked, shift)))
+        return [*declarations, Function(Type("bool"), get, (parameter,), (Return(masked.differs(ZERO)),))]
+    cleared = Group(_WORD & Unary("~", mask).cast(kind.name))
+    number: Expression = (masked >> shift).cast(kind.name)
     if bit.pieces:
         number = joined_bits(bit, _WORD, kind.name, word.type.size)
     entered: Expression = VALUE
     number_type = kind
     if bit.signed:
         number_type, number = _signed_number(word, bit, number)
-        entered = Cast(kind.name, VALUE)
-    shifted: Expression = Group(Operation("&", (Cast(kind.name, Operation("<<", (entered, shift))), mask)))
+        entered = VALUE.cast(kind.name)
+    shifted: Expression = Group((entered << shift).cast(kind.name) & mask)
     if bit.pieces:
         shifted = _placed_bits(bit, entered, kind.name, word.type.size)
     return [
@@ -133,7 +122,7 @@ def _declare_bit(naming: Naming, word: Flags, name: str, bit: Bit, kind: Type) -
             kind,
             naming.function("bit", word.name, "with", name),
             (parameter, Variable(number_type, "value")),
-            (Return(Cast(kind.name, Operation("|", (cleared, shifted)))),),
+            (Return((cleared | shifted).cast(kind.name)),),
         ),
     ]
 
@@ -151,10 +140,10 @@ def _placed_bits(bit: Bit, number: Expression, kind: str, size: int) -> Expressi
 def _moved_bits(source: Expression, kind: str, size: int, moves: Sequence[tuple[int, int, int]]) -> Expression:
     parts: list[Expression] = []
     for first, ones, weight in moves:
-        shifted = Group(Operation(">>", (source, unsigned(first)))) if first else source
-        part: Expression = Cast(kind, Group(Operation("&", (shifted, hexadecimal(ones, size)))))
-        parts.append(Group(Operation("<<", (part, unsigned(weight)))) if weight else part)
-    return Cast(kind, Group(Operation("|", tuple(parts))))
+        shifted = Group(source >> unsigned(first)) if first else source
+        part: Expression = Group(shifted & hexadecimal(ones, size)).cast(kind)
+        parts.append(Group(part << unsigned(weight)) if weight else part)
+    return Group(Operation("|", tuple(parts))).cast(kind)
 
 
 def number_of_bit(word: Flags, bit: Bit) -> Whole:
@@ -167,8 +156,8 @@ def _signed_number(word: Flags, bit: Bit, number: Expression) -> tuple[Type, Exp
     """The type of a signed field of bits, and `(int32_t)(number ^ 8u) - 8`, which repeats its sign."""
     whole = number_of_bit(word, bit)
     sign, kind = 1 << (bit.width - 1), Type(machine(whole).type)
-    moved = Cast(kind.name, Group(Operation("^", (number, integer(sign, Whole(whole.bits, Sign.NONE))))))
-    return kind, Operation("-", (moved, integer(sign, whole)))
+    moved = Group(number ^ integer(sign, Whole(whole.bits, Sign.NONE))).cast(kind.name)
+    return kind, moved - integer(sign, whole)
 
 
 def _declare_states(naming: Naming, word: Flags, kind: Type) -> list[Declaration]:
@@ -191,7 +180,7 @@ def _declare_states(naming: Naming, word: Flags, kind: Type) -> list[Declaration
     enumerators = [Enumerator(none, ZERO)]
     enumerators += [Enumerator(state, decimal(number)) for number, state in enumerate(states, 1)]
     tests = [
-        If(equal(Operation("&", (_WORD, mask)), value), (Return(Identifier(state)),))
+        If((_WORD & mask).equals(value), (Return(Identifier(state)),))
         for (mask, value), state in zip(masks, states, strict=True)
     ]
     return [

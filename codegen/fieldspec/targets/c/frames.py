@@ -23,19 +23,9 @@ from fieldspec.targets.c.expressions import (
     Call,
     Expression,
     Identifier,
-    Operation,
-    PointerMember,
     Type,
-    add_size,
-    address_of,
     all_of,
     any_of,
-    dereference,
-    different,
-    greater,
-    less,
-    multiply,
-    negate,
 )
 from fieldspec.targets.c.fields import return_error
 from fieldspec.targets.c.literals import ZERO, unsigned
@@ -137,7 +127,7 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
     if is_wrapped(link):
         paragraphs.append("`buffer` receives the bytes of the frame, and the body points into it.")
         parameters += [Variable(OUTPUT_BYTES, "buffer"), Variable(SIZE_TYPE, "capacity")]
-        received = Identifier("frame"), Identifier("size"), Identifier("buffer"), CAPACITY, address_of(LENGTH)
+        received = Identifier("frame"), Identifier("size"), Identifier("buffer"), CAPACITY, LENGTH.address()
         body += [
             Variable(INPUT_BYTES, "in", value=Identifier("buffer")),
             Variable(SIZE_TYPE, "length", value=ZERO),
@@ -152,22 +142,22 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
     parameters.append(Variable(Type(naming.type("link", link.name, direction, "frame"), pointer=True), "out"))
     parts_size = frame.header_size + frame.trailer_size
     if parts_size:
-        body += refuse(naming, less(LENGTH, unsigned(parts_size)), "err_incomplete")
+        body += refuse(naming, LENGTH.less(unsigned(parts_size)), "err_incomplete")
     if frame.escape is not None:
         body += _check_frame(naming, frame, False)
         body += escape_bytes(naming, link, frame, Identifier("buffer"), LENGTH)
     if parts_size and not keeps_size(frame):
-        body += refuse(naming, less(LENGTH, unsigned(parts_size)), "err_incomplete")
+        body += refuse(naming, LENGTH.less(unsigned(parts_size)), "err_incomplete")
     body += _check_frame(naming, frame, True)
     for part in header_parts(frame):
         number = load(naming, part_value(part), part_pointer(IN, part, LENGTH))
-        body.append(assign(PointerMember(OUT, frame_member(part)), number))
+        body.append(assign(OUT.arrow(frame_member(part)), number))
     body += _read_code(naming, link, frame)
     # Where no message is answered, every code is refused and there is no body to return.
     if not isinstance(body[-1], Return):
         body += [
-            assign(PointerMember(OUT, "body"), add_size(IN, frame.header_size)),
-            assign(PointerMember(OUT, "body_length"), add_size(LENGTH, -parts_size)),
+            assign(OUT.arrow("body"), IN.plus(frame.header_size)),
+            assign(OUT.arrow("body_length"), LENGTH.plus(-parts_size)),
             return_ok(naming),
         ]
     name = naming.function("link", link.name, direction, "open")
@@ -191,7 +181,7 @@ def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:
             continue
         received = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
         number, unrepresentable = length_number(frame, length, LENGTH)
-        body += refuse(naming, any_of([*unrepresentable, different(received, number)]), "err_wrong_length")
+        body += refuse(naming, any_of([*unrepresentable, received.differs(number)]), "err_wrong_length")
     for checksum in frame.checksums:
         if _is_sent(frame, checksum) == is_original:
             continue
@@ -206,7 +196,7 @@ def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:
 def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
     """Reads the code, takes the flag of an exception response off it, and refuses a code that no message has."""
     part = frame.role("code")
-    code, error = PointerMember(OUT, "code"), PointerMember(OUT, "error")
+    code, error = OUT.arrow("code"), OUT.arrow("error")
     if part is None:
         exception = link.link.exception_response
         if exception is None or frame.direction == "request":
@@ -218,16 +208,16 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
     guard: list[Expression] = []
     if link.link.exception_response is not None and frame.direction == "response":
         body += read_mark(link.link.exception_response, frame, code, error)
-        guard.append(negate(error))
+        guard.append(error.negated())
     codes = link.codes(frame.direction)
     if codes or (link.messages and not link.carried(frame.direction)):
-        tests = [*guard, *(different(code, unsigned(known)) for known in codes)]
+        tests = [*guard, *(code.differs(unsigned(known)) for known in codes)]
         body += (
             refuse(naming, all_of(tests), "err_unknown_code") if tests else (Return(naming.status("err_unknown_code")),)
         )
     shared = shared_codes(link, frame.direction)
     if shared:
-        body += (assign(PointerMember(OUT, "subcode"), ZERO),)
+        body += (assign(OUT.arrow("subcode"), ZERO),)
         body += tuple(read_subcode(naming, frame, number, subcode, guard) for number, subcode in shared.items())
     return body
 
@@ -254,9 +244,7 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     delimiters = len(frame.further) + len(frame.start) + len(frame.end)
     parts_size = frame.header_size + frame.trailer_size
     body: list[Statement] = [
-        Variable(
-            SIZE_TYPE, "total", value=add_size(_BODY_LENGTH, parts_size), storage="const" if keeps_size(frame) else ""
-        ),
+        Variable(SIZE_TYPE, "total", value=_BODY_LENGTH.plus(parts_size), storage="const" if keeps_size(frame) else ""),
     ]
     if not keeps_size(frame):
         body.append(Variable(status_type(naming), "status"))
@@ -268,15 +256,15 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     body += _write_parts(naming, layout, link, frame, early)
     body += _store_checksums(naming, [part for part in frame.checksums if not _is_sent(frame, part)])
     if frame.escape is not None:
-        body += escape_bytes(naming, link, frame, OUT, TOTAL, add_size(CAPACITY, -delimiters))
+        body += escape_bytes(naming, link, frame, OUT, TOTAL, CAPACITY.plus(-delimiters))
         body += _write_parts(naming, layout, link, frame, sent_lengths)
         body += _store_checksums(naming, [part for part in frame.checksums if _is_sent(frame, part)])
     if is_wrapped(link):
         body += wrap_frame(naming, link, direction)
     if not frame.parts and not is_wrapped(link):
         body.append(discard("out"))
-    size = TOTAL if width == 1 else multiply(TOTAL, unsigned(width))
-    body += [assign(dereference(LENGTH), add_size(size, delimiters)), return_ok(naming)]
+    size = TOTAL if width == 1 else TOTAL * unsigned(width)
+    body += [assign(LENGTH.dereferenced(), size.plus(delimiters)), return_ok(naming)]
     name = naming.function("link", link.name, direction, "close")
     return [
         comment(
@@ -313,8 +301,8 @@ def _check_capacity(naming: Naming, width: int, parts_size: int, delimiters: int
     No sum is compared: it would wrap around for lengths that no buffer has.
     """
     minimum = width * parts_size + delimiters
-    room = add_size(CAPACITY, -minimum)
+    room = CAPACITY.plus(-minimum)
     if width > 1:
-        room = Operation("/", (room, unsigned(width)))
-    tests: list[Expression] = [less(CAPACITY, unsigned(minimum))] if minimum else []
-    return refuse(naming, any_of([*tests, greater(_BODY_LENGTH, room)]), "err_capacity")
+        room = room / unsigned(width)
+    tests: list[Expression] = [CAPACITY.less(unsigned(minimum))] if minimum else []
+    return refuse(naming, any_of([*tests, _BODY_LENGTH.greater(room)]), "err_capacity")

@@ -18,25 +18,13 @@ from fieldspec.targets.c.expressions import (
     SIZE_TYPE,
     Call,
     Conditional,
-    Element,
     Expression,
     Group,
     Identifier,
     Literal,
-    Member,
-    Operation,
     SizeOf,
     Type,
-    add,
-    address_of,
     all_of,
-    at_least,
-    at_most,
-    different,
-    equal,
-    less,
-    multiply,
-    subtract,
 )
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parts
@@ -204,23 +192,23 @@ def _hold(test: Expression) -> Evaluation:
 def _declare_variables(naming: Naming, link: LinkLayout, direction: str) -> list[Statement]:
     """The buffers, the opened frame and the length that both functions have."""
     largest = Identifier("LARGEST")
-    buffer = Variable(_BYTE, "buffer", (multiply(decimal(2), largest),), storage="static")
+    buffer = Variable(_BYTE, "buffer", (decimal(2) * largest,), storage="static")
     return [
         *([buffer] if is_wrapped(link) else []),
-        Variable(_BYTE, "out", (multiply(decimal(4), largest),), storage="static"),
+        Variable(_BYTE, "out", (decimal(4) * largest,), storage="static"),
         Variable(Type(naming.type("link", link.name, direction, "frame")), "opened"),
         Variable(SIZE_TYPE, "length", value=ZERO),
     ]
 
 
 def _clear_opened() -> Evaluation:
-    return call("memset", address_of(_OPENED), ZERO, SizeOf(_OPENED))
+    return call("memset", _OPENED.address(), ZERO, SizeOf(_OPENED))
 
 
 def _open_call(naming: Naming, link: LinkLayout, direction: str, data: Expression, size: Expression) -> Call:
     buffer = (_BUFFER, SizeOf(_BUFFER)) if is_wrapped(link) else ()
     function = naming.function("link", link.name, direction, "open")
-    return Call(function, (data, size, *buffer, address_of(_OPENED)))
+    return Call(function, (data, size, *buffer, _OPENED.address()))
 
 
 def _flag_of(link: LinkLayout, direction: str) -> int:
@@ -238,35 +226,35 @@ def _frame_function(number: int, body: list[Statement]) -> Function:
 def _open_any_bytes(naming: Naming, link: LinkLayout, direction: str, number: int) -> Function:
     """Opens any bytes, and makes a frame of what it finds."""
     frame = link.frame(direction)
-    ok, body_member = naming.status("ok"), Member(_OPENED, "body")
-    body_length = Member(_OPENED, "body_length")
-    arguments: list[Expression] = [Member(_OPENED, frame_member(part)) for part in header_parts(frame)]
+    ok, body_member = naming.status("ok"), _OPENED.member("body")
+    body_length = _OPENED.member("body_length")
+    arguments: list[Expression] = [_OPENED.member(frame_member(part)) for part in header_parts(frame)]
     flag = _flag_of(link, direction)
     if frame.role("code") is not None:
-        code: Expression = Member(_OPENED, "code")
+        code: Expression = _OPENED.member("code")
         if flag:
-            error = Group(Conditional(Member(_OPENED, "error"), unsigned(flag), unsigned(0)))
-            code = Operation("|", (code, error))
+            error = Group(Conditional(_OPENED.member("error"), unsigned(flag), unsigned(0)))
+            code = code | error
         arguments.append(code)
     start, end = (_BUFFER, SizeOf(_BUFFER)) if is_wrapped(link) else (_DATA, _SIZE)
-    is_within_buffer = all_of([at_least(body_member, start), at_most(add(body_member, body_length), add(start, end))])
-    tests: list[Expression] = [equal(_LENGTH, _SIZE)]
+    is_within_buffer = all_of([body_member.at_least(start), (body_member + body_length).at_most(start + end)])
+    tests: list[Expression] = [_LENGTH.equals(_SIZE)]
     if link.link.transmission != "hex_ascii":
         # Characters have two ways to write a digit; bytes have one.
-        tests.append(equal(Call("memcmp", (_OUT, _DATA, _SIZE)), ZERO))
+        tests.append(Call("memcmp", (_OUT, _DATA, _SIZE)).equals(ZERO))
     closed = Call(
         naming.function("link", link.name, direction, "close"),
-        (*arguments, body_length, _OUT, SizeOf(_OUT), address_of(_LENGTH)),
+        (*arguments, body_length, _OUT, SizeOf(_OUT), _LENGTH.address()),
     )
     return _frame_function(
         number,
         [
             *_declare_variables(naming, link, direction),
             _clear_opened(),
-            If(different(_open_call(naming, link, direction, _DATA, _SIZE), ok), (Return(),)),
+            If(_open_call(naming, link, direction, _DATA, _SIZE).differs(ok), (Return(),)),
             _hold(is_within_buffer),
-            call("memcpy", add(_OUT, decimal(frame.header_size)), body_member, body_length),
-            If(equal(closed, ok), (_hold(all_of(tests)),)),
+            call("memcpy", _OUT + decimal(frame.header_size), body_member, body_length),
+            If(closed.equals(ok), (_hold(all_of(tests)),)),
         ],
     )
 
@@ -278,22 +266,22 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
     names = [frame_member(part) for part in header_parts(frame)]
     has_code = frame.role("code") is not None
     flag = _flag_of(link, direction)
-    header = [Element(_DATA, decimal(index)) for index in range(len(names) + has_code)]
-    tests: list[Expression] = [equal(Member(_OPENED, name), header[index]) for index, name in enumerate(names)]
+    header = [_DATA.element(decimal(index)) for index in range(len(names) + has_code)]
+    tests: list[Expression] = [_OPENED.member(name).equals(header[index]) for index, name in enumerate(names)]
     if has_code:
         code: Expression = header[-1]
         if flag:
-            code = Group(Operation("&", (code, unsigned(255 & ~flag))))
-        tests.append(equal(Member(_OPENED, "code"), code))
-    size = subtract(_SIZE, _HEADER_SIZE)
-    body, opened_body = add(_DATA, _HEADER_SIZE), Member(_OPENED, "body")
-    tests.append(equal(Member(_OPENED, "body_length"), size))
-    tests.append(equal(Call("memcmp", (opened_body, body, size)), ZERO))
+            code = Group(code & unsigned(255 & ~flag))
+        tests.append(_OPENED.member("code").equals(code))
+    size = _SIZE - _HEADER_SIZE
+    body, opened_body = _DATA + _HEADER_SIZE, _OPENED.member("body")
+    tests.append(_OPENED.member("body_length").equals(size))
+    tests.append(Call("memcmp", (opened_body, body, size)).equals(ZERO))
     closed = Call(
         naming.function("link", link.name, direction, "close"),
-        (*header, size, _OUT, SizeOf(_OUT), address_of(_LENGTH)),
+        (*header, size, _OUT, SizeOf(_OUT), _LENGTH.address()),
     )
-    unknown_code = equal(_STATUS, naming.status("err_unknown_code"))
+    unknown_code = _STATUS.equals(naming.status("err_unknown_code"))
     return _frame_function(
         number,
         [
@@ -301,12 +289,12 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
             *_declare_variables(naming, link, direction),
             Variable(status_type(naming), "status"),
             _clear_opened(),
-            If(less(_SIZE, _HEADER_SIZE), (Return(),)),
-            call("memcpy", add(_OUT, decimal(frame.header_size)), body, size),
-            If(different(closed, ok), (Return(),)),
+            If(_SIZE.less(_HEADER_SIZE), (Return(),)),
+            call("memcpy", _OUT + decimal(frame.header_size), body, size),
+            If(closed.differs(ok), (Return(),)),
             assign(_STATUS, _open_call(naming, link, direction, _OUT, _LENGTH)),
             *([If(unknown_code, (Return(),))] if has_code else []),
-            _hold(equal(_STATUS, ok)),
+            _hold(_STATUS.equals(ok)),
             *(_hold(test) for test in tests),
         ],
     )

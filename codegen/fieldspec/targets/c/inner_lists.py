@@ -6,7 +6,7 @@ from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.list_places import inner_lists_of
 from fieldspec.codec.layout.record import CaseLayout, RecordLayout
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, Source, comment
-from fieldspec.targets.c.expressions import INPUT_BYTES, SIZE_TYPE, Identifier, add
+from fieldspec.targets.c.expressions import INPUT_BYTES, SIZE_TYPE, Identifier
 from fieldspec.targets.c.fields import deciding, decoded_selector, select, words_around_images
 from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
@@ -125,7 +125,7 @@ def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:
     for field in record.fields:
         name = naming.function("record", record.name, f"{field.name}_decided_size")
         if field.in_room:
-            size = add(Identifier(naming.own_macro("text_of")), unsigned(field.size))
+            size = Identifier(naming.own_macro("text_of")) + unsigned(field.size)
             body: Body = (discard("in"), Return(size))
             text = f"The most bytes of {field.name}, a text."
             functions += [BLANK, comment(text), Function(SIZE_TYPE, name, (Variable(INPUT_BYTES, "in"),), body)]
@@ -136,7 +136,7 @@ def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:
             kind = "bytes_of" if case.value.is_marked else "text_of" if case.value.width else ""
             cases.setdefault((case.value.size, kind), []).append(case)
         branches = [
-            (own, (Return(add(Identifier(naming.own_macro(kind)), unsigned(size)) if kind else unsigned(size)),))
+            (own, (Return(Identifier(naming.own_macro(kind)) + unsigned(size) if kind else unsigned(size)),))
             for (size, kind), own in cases.items()
         ]
         number = deciding(field, decoded_selector(naming, field.selector))

@@ -19,7 +19,7 @@ from fieldspec.language.model.encoding import (
     real_bits,
     whole_bits,
 )
-from fieldspec.targets.c.expressions import Call, Cast, Conditional, Expression, Group, Literal, different
+from fieldspec.targets.c.expressions import Call, Conditional, Expression, Group, Literal
 from fieldspec.targets.c.literals import ZERO, decimal, integer, real
 from fieldspec.targets.c.naming import Naming
 
@@ -103,7 +103,7 @@ def of_bits(naming: Naming, encoding: Encoding, bits: Expression) -> Expression:
     """`signed_16(bits)`, `float_of(bits)`: the number that bits stand for. Raises AssertionError for texts."""
     match encoding:
         case Truth():
-            return different(bits, ZERO)
+            return bits.differs(ZERO)
         case Whole() | Real() | Digits():
             function = machine(encoding).from_bits
             return Call(naming.own(function), (bits,)) if function else bits
@@ -118,11 +118,11 @@ def to_bits(naming: Naming, encoding: Encoding, number: Expression) -> Expressio
     kind = machine(encoding)
     match encoding:
         case Truth():
-            return Cast(kind.word, Conditional(number, decimal(1), ZERO))
+            return Conditional(number, decimal(1), ZERO).cast(kind.word)
         case Whole() | Real() | Digits():
             if kind.to_bits:
                 return Call(naming.own(kind.to_bits), (number,))
-            return Cast(kind.word, number) if kind.is_cast else number
+            return number.cast(kind.word) if kind.is_cast else number
         case Text() | Octets():
             raise AssertionError("a text or bytes are not a number")
         case _:

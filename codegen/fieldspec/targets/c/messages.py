@@ -9,23 +9,7 @@ from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment
 from fieldspec.targets.c.exceptions import check_mark
-from fieldspec.targets.c.expressions import (
-    CAPACITY,
-    IN,
-    LENGTH,
-    OUT,
-    SIZE_TYPE,
-    Call,
-    Expression,
-    Identifier,
-    Operation,
-    Type,
-    add,
-    add_size,
-    address_of,
-    equal,
-    less,
-)
+from fieldspec.targets.c.expressions import CAPACITY, IN, LENGTH, OUT, SIZE_TYPE, Call, Expression, Identifier, Type
 from fieldspec.targets.c.fields import members, return_error
 from fieldspec.targets.c.frames import DIRECTIONS, OUTPUT_PARAMETERS, header_parameters
 from fieldspec.targets.c.literals import ZERO, decimal, unsigned
@@ -81,7 +65,7 @@ def _declare_exception_response(naming: Naming, layout: DeviceLayout, link: Link
     if link.has_uncoded_exceptions:
         description = comment("Writes the whole frame of an exception response.")
         return [description, _encode_frame(naming, link, "response", record, function, [], (), True)]
-    code: list[Expression] = [Operation("|", (_CODE, unsigned(error.flag))) if error.flag else _CODE]
+    code: list[Expression] = [_CODE | unsigned(error.flag) if error.flag else _CODE]
     parameters = [Variable(code_type(link.response), "code")]
     description = comment("Writes the whole frame of an exception response to a code.")
     if error.code is None and link.has_response_codes:
@@ -122,7 +106,7 @@ def _refuse_broadcast(naming: Naming, frame: FrameLayout, address: int) -> Body:
     """`if (unit_address == 0) { return ERR_OUT_OF_RANGE; }`"""
     part = frame.role("unit_address")
     assert part is not None
-    return refuse(naming, equal(Identifier(argument(part)), address_literal(address)), "err_out_of_range")
+    return refuse(naming, Identifier(argument(part)).equals(address_literal(address)), "err_out_of_range")
 
 
 def _write_body(naming: Naming, frame: FrameLayout, data: RecordLayout) -> Body:
@@ -132,12 +116,12 @@ def _write_body(naming: Naming, frame: FrameLayout, data: RecordLayout) -> Body:
     room: tuple[Expression, ...] = (OUT, CAPACITY)
     checks: Body = ()
     if size:
-        room = add(OUT, decimal(size)), add_size(CAPACITY, -size)
-        checks = refuse(naming, less(CAPACITY, unsigned(size)), "err_capacity")
+        room = OUT + decimal(size), CAPACITY.plus(-size)
+        checks = refuse(naming, CAPACITY.less(unsigned(size)), "err_capacity")
     encode = naming.function("record", data.name, "encode")
     return (
         Variable(SIZE_TYPE, "body_length", value=ZERO),
         Variable(status_type(naming), "status"),
         *checks,
-        *return_error(naming, Call(encode, (*struct, *room, address_of(_BODY_LENGTH)))),
+        *return_error(naming, Call(encode, (*struct, *room, _BODY_LENGTH.address()))),
     )

@@ -5,17 +5,7 @@ from __future__ import annotations
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.language.model.device import Device
 from fieldspec.targets.c.declarations import BLANK, Declaration, Function, comment
-from fieldspec.targets.c.expressions import (
-    IN,
-    INPUT_BYTES,
-    OUT,
-    OUTPUT_BYTES,
-    Call,
-    Expression,
-    Type,
-    address_of,
-    different,
-)
+from fieldspec.targets.c.expressions import IN, INPUT_BYTES, OUT, OUTPUT_BYTES, Call, Expression, Type
 from fieldspec.targets.c.fields import (
     function_locals,
     is_set_by_user,
@@ -96,7 +86,7 @@ def check_members(naming: Naming, device: Device, record: RecordLayout) -> Body:
             if not check_members(naming, device, field.record):
                 return ()
             function = naming.function("record", field.record.name, "check")
-            return return_error(naming, Call(function, (address_of(value),)))
+            return return_error(naming, Call(function, (value.address(),)))
 
         body += walk_elements(record, field, check, IN, OUT)
     return body
@@ -112,7 +102,7 @@ def check_unpacked(naming: Naming, device: Device, record: RecordLayout) -> Body
                 if not check_unpacked(naming, device, field.record):
                     return ()
                 decode = naming.function("record", field.record.name, "decode")
-                return return_error(naming, Call(decode, (source, unsigned(field.size), address_of(value))))
+                return return_error(naming, Call(decode, (source, unsigned(field.size), value.address())))
             if field.field.reserved:
                 return ()
             wire = field_value(field)
@@ -131,7 +121,7 @@ def check_measures(naming: Naming, record: RecordLayout) -> Body:
             continue
 
         def compare(source: Expression, value: Expression, field: FieldLayout = field) -> Body:
-            wrong = different(load(naming, field_value(field), source), measured_size(record, field, OUT))
+            wrong = load(naming, field_value(field), source).differs(measured_size(record, field, OUT))
             return refuse(naming, wrong, "err_wrong_measure")
 
         body += walk_elements(record, field, compare, OUT, IN)
@@ -157,7 +147,7 @@ def _load_field(naming: Naming, record: RecordLayout, field: FieldLayout) -> Bod
     def load_element(source: Expression, target: Expression) -> Body:
         if field.record is not None:
             unpack = naming.function("record", field.record.name, "unpack")
-            return (call(unpack, source, address_of(target)),)
+            return (call(unpack, source, target.address()),)
         return load_value(naming, field_value(field), source, target)
 
     return walk_elements(record, field, load_element, OUT, IN)

@@ -23,20 +23,13 @@ from fieldspec.targets.c.expressions import (
     NUMBER,
     OUT,
     SIZE_TYPE,
-    Cast,
     Expression,
     Group,
     Identifier,
     Literal,
-    PointerMember,
     Type,
-    add,
     all_of,
     any_of,
-    at_least,
-    at_most,
-    dereference,
-    negate,
 )
 from fieldspec.targets.c.literals import hexadecimal_digits, unsigned
 from fieldspec.targets.c.machine import literal
@@ -86,11 +79,11 @@ def _declare_sizes(
     for size in dict.fromkeys(field.sizes.values()):
         numbers = [number for number, own in field.sizes.items() if own == size]
         labels = tuple(literal(selector_field.value.encoding, number) for number in numbers)
-        branches.append((labels, (assign(dereference(OUT), unsigned(size)),)))
+        branches.append((labels, (assign(OUT.dereferenced(), unsigned(size)),)))
     kind = Type(naming.type("record", record.name), const=True, pointer=True)
-    selector = PointerMember(IN, member(selector_field.name))
+    selector = IN.arrow(member(selector_field.name))
     body: Body = (
-        Switch(Cast("int64_t", selector), tuple(branches), (Return(naming.status("err_unknown_value")),)),
+        Switch(selector.cast("int64_t"), tuple(branches), (Return(naming.status("err_unknown_value")),)),
         return_ok(naming),
     )
     function = Function(
@@ -140,14 +133,14 @@ def _declare_set(naming: Naming, parameters: ParameterSet) -> list[Declaration]:
     interval_tests: list[Expression] = []
     for low, high in numbers.intervals:
         lower_test, upper_test = (
-            at_least(NUMBER, _parameter_number(parameters, low)),
-            at_most(NUMBER, _parameter_number(parameters, high)),
+            NUMBER.at_least(_parameter_number(parameters, low)),
+            NUMBER.at_most(_parameter_number(parameters, high)),
         )
         interval_tests.append(upper_test if low == 0 else Group(all_of([lower_test, upper_test])))
     kind = wire_number_type(parameters)
     body: Body = (
-        *refuse(naming, negate(any_of(interval_tests)), "err_out_of_range"),
-        assign(dereference(OUT), Cast(kind, add(base, NUMBER))),
+        *refuse(naming, any_of(interval_tests).negated(), "err_out_of_range"),
+        assign(OUT.dereferenced(), (base + NUMBER).cast(kind)),
         return_ok(naming),
     )
     function = Function(

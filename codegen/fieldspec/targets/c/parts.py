@@ -10,27 +10,7 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, number_of
 from fieldspec.targets.c.digits import digits_test
-from fieldspec.targets.c.expressions import (
-    IN,
-    LENGTH,
-    OUT,
-    Expression,
-    Group,
-    Identifier,
-    Operation,
-    Type,
-    add,
-    add_size,
-    all_of,
-    any_of,
-    at_least,
-    at_most,
-    different,
-    equal,
-    greater,
-    less,
-    negate,
-)
+from fieldspec.targets.c.expressions import IN, LENGTH, OUT, Expression, Group, Identifier, Type, all_of, any_of
 from fieldspec.targets.c.literals import UINT64, ZERO, decimal, integer, unsigned
 from fieldspec.targets.c.machine import machine_whole
 from fieldspec.targets.c.naming import Naming, argument
@@ -62,7 +42,7 @@ def code_type(frame: FrameLayout) -> Type:
 
 def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Expression:
     """`in + 2`, or after the body `in + length - 3u`: a pointer to a part of a frame of `total` bytes."""
-    return add(pointer, decimal(part.offset) if part.offset >= 0 else add_size(total, part.offset))
+    return pointer + (decimal(part.offset) if part.offset >= 0 else total.plus(part.offset))
 
 
 def check_digits(naming: Naming, parts: Iterable[PartLayout]) -> Body:
@@ -70,7 +50,7 @@ def check_digits(naming: Naming, parts: Iterable[PartLayout]) -> Body:
     body: Body = ()
     for part in parts:
         test = digits_test(naming, part_value(part).value, part_pointer(IN, part, LENGTH), ZERO)
-        body += refuse(naming, negate(test), "err_unknown_value")
+        body += refuse(naming, test.negated(), "err_unknown_value")
     return body
 
 
@@ -80,12 +60,12 @@ def length_number(frame: FrameLayout, part: PartLayout, total: Expression) -> tu
     Where none of them does, nothing wraps around: `(length - 4u) / 2u`, `(length - 4u) % 2u != 0`
     """
     parts_size = frame.header_size + frame.trailer_size
-    unrepresentable: list[Expression] = [less(total, unsigned(part.base))] if part.base > parts_size else []
-    number = add_size(total, -part.base)
+    unrepresentable: list[Expression] = [total.less(unsigned(part.base))] if part.base > parts_size else []
+    number = total.plus(-part.base)
     if part.unit_size > 1:
         unit = unsigned(part.unit_size)
-        unrepresentable.append(different(Operation("%", (number, unit)), ZERO))
-        number = Operation("/", (number, unit))
+        unrepresentable.append((number % unit).differs(ZERO))
+        number = number / unit
     return number, unrepresentable
 
 
@@ -97,14 +77,14 @@ def write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: Fr
         highest = wire.value.high
         number, unrepresentable = length_number(frame, part, TOTAL)
         checks = refuse(naming, any_of(unrepresentable), "err_wrong_length") if unrepresentable else ()
-        limit = refuse(naming, greater(number, unsigned(highest)), "err_wrong_length")
+        limit = refuse(naming, number.greater(unsigned(highest)), "err_wrong_length")
         if highest >= 0xFFFF:
             limit = (CompileIf("if", f"SIZE_MAX > {highest}u", limit),)
         return (*checks, *limit, _store_part(naming, wire, target, number))
     if part.role == "code":
         highest = wire.value.high
         is_any = highest == (1 << (32 if code_type(frame) == number_type(4) else 64)) - 1
-        limit = () if is_any else refuse(naming, greater(CODE, unsigned(highest)), "err_unknown_code")
+        limit = () if is_any else refuse(naming, CODE.greater(unsigned(highest)), "err_unknown_code")
         return (*limit, _store_part(naming, wire, target, CODE))
     if part.constant is not None:
         return store_constant(naming, wire, part.constant, target)
@@ -147,9 +127,9 @@ def _unit_address_test(link: LinkLayout, wire: WireValue, address: Expression) -
     minimum, maximum = machine_whole(whole).bounds
     tests: list[Expression] = []
     for low, high in addresses.ranges.intervals:
-        bounds: list[Expression] = [at_least(address, address_literal(low))] if low > minimum else []
-        bounds += [at_most(address, address_literal(high))] if high < maximum else []
+        bounds: list[Expression] = [address.at_least(address_literal(low))] if low > minimum else []
+        bounds += [address.at_most(address_literal(high))] if high < maximum else []
         tests.append(Group(all_of(bounds) if bounds else decimal(1)))
     if addresses.broadcast is not None and addresses.broadcast not in addresses.ranges:
-        tests.append(Group(equal(address, address_literal(addresses.broadcast))))
-    return negate(Group(tests[0]) if len(tests) == 1 else any_of(tests))
+        tests.append(Group(address.equals(address_literal(addresses.broadcast))))
+    return (Group(tests[0]) if len(tests) == 1 else any_of(tests)).negated()

@@ -13,25 +13,13 @@ from fieldspec.targets.c.expressions import (
     OUT,
     SIZE_TYPE,
     Call,
-    Cast,
     Conditional,
     Expression,
     Group,
     Identifier,
-    Operation,
-    PointerMember,
     any_of,
-    different,
-    equal,
-    less,
 )
-from fieldspec.targets.c.fields import (
-    count_member,
-    decoded_selector,
-    encoded_selector,
-    measured_size,
-    walk_elements,
-)
+from fieldspec.targets.c.fields import count_member, decoded_selector, encoded_selector, measured_size, walk_elements
 from fieldspec.targets.c.literals import ZERO, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.statements import Assignment, Body, Return, Variable
@@ -47,16 +35,16 @@ def _decider(record: RecordLayout, presence: PresenceLayout) -> FieldLayout:
 
 def bits_of(presence: PresenceLayout, number: Expression) -> Expression:
     """`((load_u8(in + 0) & 240u) >> 4u)`: the number in the bits that count a list."""
-    bits = Group(Operation("&", (number, unsigned(presence.mask))))
-    return Group(Operation(">>", (bits, unsigned(presence.shift)))) if presence.shift else bits
+    bits = Group(number & unsigned(presence.mask))
+    return Group(bits >> unsigned(presence.shift)) if presence.shift else bits
 
 
 def is_present(presence: PresenceLayout, number: Expression) -> Expression:
     """`(load_u8(in + 0) & 8u) == 8u`: whether a number says that a field is sent."""
-    bits = Group(Operation("&", (number, unsigned(presence.mask))))
+    bits = Group(number & unsigned(presence.mask))
     if presence.is_any:
-        return different(bits, ZERO)
-    return any_of([equal(bits, unsigned(own)) for own in presence.numbers])
+        return bits.differs(ZERO)
+    return any_of([bits.equals(unsigned(own)) for own in presence.numbers])
 
 
 def present_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:
@@ -89,7 +77,7 @@ def following(naming: Naming, record: RecordLayout) -> list[Declaration]:
         presence = field.continuation.presence
         decider = field if field.record is None else field.record.named(presence.by)
         assert decider is not None
-        number = load(naming, field_value(decider), Operation("+", (IN, unsigned(field.continuation.offset))))
+        number = load(naming, field_value(decider), IN + unsigned(field.continuation.offset))
         result = Conditional(is_present(presence, number), unsigned(1), ZERO)
         text = f"How many elements of {field.name} follow one at least: 1 or none."
         name = follows(naming, record, field)
@@ -111,7 +99,7 @@ def counts_in_image(naming: Naming, record: RecordLayout) -> Body:
             continue
         if count is not None:
             items = _items_of_count(room, decoded_selector(naming, count), items)
-        body = (*body, Assignment(PointerMember(OUT, count_member(record, field)), items))
+        body = (*body, Assignment(OUT.arrow(count_member(record, field)), items))
     return body
 
 
@@ -119,15 +107,15 @@ def _items_of_count(room: InnerList, number: Expression, items: Expression) -> E
     """How many elements a number says that there are; `items` if it says that there are some."""
     if room.presence is not None and room.presence.numbers:
         return Conditional(is_present(room.presence, number), items, ZERO)
-    number = number if room.presence is None else Cast("size_t", bits_of(room.presence, number))
+    number = number if room.presence is None else bits_of(room.presence, number).cast("size_t")
     if room.plus:
-        number = Group(Operation("-" if room.plus > 0 else "+", (number, unsigned(abs(room.plus)))))
-    return number if room.unit == room.element else Operation("/", (number, unsigned(room.element)))
+        number = Group(number.plus(-room.plus))
+    return number if room.unit == room.element else number / unsigned(room.element)
 
 
 def _elements_in_image(naming: Naming, record: RecordLayout, field: FieldLayout, room: InnerList) -> Expression:
     """`count_elements(frame_dife_follows, in + 3u, 1u, 10u)`: the elements of a list that says which is the last."""
-    place = Operation("+", (IN, unsigned(room.room)))
+    place = IN + unsigned(room.room)
     function = Identifier(follows(naming, record, field))
     arguments = function, place, unsigned(room.element), unsigned(room.most // room.element)
     return Call(naming.own("count_elements"), arguments)
@@ -138,11 +126,11 @@ def _check_end(naming: Naming, record: RecordLayout, field: FieldLayout) -> Body
 
     `for (...) { if (frame_dife_follows(out + 3u + at) != (at + 1u < in->dife_count ? 1u : 0u)) { return ...; } }`
     """
-    count = PointerMember(IN, count_member(record, field))
-    is_followed = Conditional(less(Operation("+", (INDEX, unsigned(1))), count), unsigned(1), ZERO)
+    count = IN.arrow(count_member(record, field))
+    is_followed = Conditional((INDEX + unsigned(1)).less(count), unsigned(1), ZERO)
 
     def check(target: Expression, value: Expression) -> Body:
-        wrong = different(Call(follows(naming, record, field), (target,)), Group(is_followed))
+        wrong = Call(follows(naming, record, field), (target,)).differs(Group(is_followed))
         return refuse(naming, wrong, "err_wrong_measure")
 
     return walk_elements(record, field, check, IN, OUT)
@@ -170,8 +158,8 @@ def _check_presence(
     """Refuses a field whose number of elements is not as bits of another one say."""
     decider = _decider(record, presence)
     number = encoded_selector(decider) if struct == IN else decoded_selector(naming, decider)
-    has_elements = different(PointerMember(struct, count_member(record, field)), ZERO)
-    wrong = different(Group(is_present(presence, number)), Group(has_elements))
+    has_elements = struct.arrow(count_member(record, field)).differs(ZERO)
+    wrong = Group(is_present(presence, number)).differs(Group(has_elements))
     if field.has_count_in_bits:
-        wrong = different(bits_of(presence, number), measured_size(record, decider, struct))
+        wrong = bits_of(presence, number).differs(measured_size(record, decider, struct))
     return refuse(naming, wrong, "err_wrong_measure")

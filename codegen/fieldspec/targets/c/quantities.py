@@ -15,24 +15,7 @@ from fieldspec.targets.c.absent import AbsentValue, absent_values
 from fieldspec.targets.c.conditions import among_test, out_of_range_test
 from fieldspec.targets.c.conversions import COUNT, RAW, count_of_share
 from fieldspec.targets.c.declarations import BLANK, Comment, Declaration, Function, comment
-from fieldspec.targets.c.expressions import (
-    Call,
-    Cast,
-    Expression,
-    Group,
-    Identifier,
-    Operation,
-    Type,
-    add,
-    all_of,
-    any_of,
-    at_least,
-    at_most,
-    dereference,
-    multiply,
-    negate,
-    subtract,
-)
+from fieldspec.targets.c.expressions import Call, Expression, Group, Identifier, Type, all_of, any_of
 from fieldspec.targets.c.literals import whole_double
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, Noun
@@ -95,9 +78,11 @@ def declare_quantity(naming: Naming, scaled: ScaledValue) -> list[Declaration]:
     `codec_status reg_power_from_raw(int16_t raw, int16_t exponent, double *quantity)`, `reg_power_to_raw(...)`
     """
     value, exponent = scaled.value, scaled.exponent
-    signed_exponent = Cast("int32_t", _EXPONENT)
+    signed_exponent = _EXPONENT.cast("int32_t")
     unit = f", in {value.quantity_unit}" if value.quantity_unit else ""
-    valid = refuse(naming, negate(Group(_is_in(exponent.value, exponent.value.ranges, _EXPONENT))), "err_out_of_range")
+    valid = refuse(
+        naming, Group(_is_in(exponent.value, exponent.value.ranges, _EXPONENT)).negated(), "err_out_of_range"
+    )
     text = comment(
         f"{scaled.title} = raw * 10^{exponent.name}{unit}; refused for a count that stands for an absent value,",
         f"and for an exponent that {exponent.name} may not have.",
@@ -107,7 +92,7 @@ def declare_quantity(naming: Naming, scaled: ScaledValue) -> list[Declaration]:
         value,
         lambda word: scaled.function(naming, word),
         (text, "for such a count or exponent"),
-        Call(naming.own("times_power"), (Cast("double", RAW), signed_exponent)),
+        Call(naming.own("times_power"), (RAW.cast("double"), signed_exponent)),
         Call(naming.own("over_power"), (_QUANTITY, signed_exponent)),
         (Variable(Type(type_name(exponent.value)), "exponent"),),
         valid,
@@ -138,7 +123,7 @@ def _both_ways(
             (
                 *valid,
                 *_refuse_absent(naming, value, RAW),
-                assign(dereference(_QUANTITY), quantity),
+                assign(_QUANTITY.dereferenced(), quantity),
                 return_ok(naming),
             ),
         ),
@@ -187,7 +172,7 @@ def declare_fixed_quantity(naming: Naming, absent: AbsentValue) -> list[Declarat
         value,
         lambda word: naming.function(absent.noun, *absent.names, word),
         (text, f"where it stands for {_states(value)}"),
-        _plus(_times(Cast("double", RAW), scale), offset),
+        _plus(_times(RAW.cast("double"), scale), offset),
         _times(_QUANTITY if not offset else Group(_plus(_QUANTITY, -offset)), 1 / scale),
     )
 
@@ -198,8 +183,8 @@ def _states(value: Value) -> str:
 
 def _times(number: Expression, ratio: Fraction) -> Expression:
     """`number * 3.0 / 7.0`: by whole numbers, which rounds less than by a decimal factor."""
-    product = number if ratio.numerator == 1 else multiply(number, whole_double(ratio.numerator))
-    return product if ratio.denominator == 1 else Operation("/", (product, whole_double(ratio.denominator)))
+    product = number if ratio.numerator == 1 else number * whole_double(ratio.numerator)
+    return product if ratio.denominator == 1 else product / whole_double(ratio.denominator)
 
 
 def _plus(number: Expression, addend: Fraction) -> Expression:
@@ -207,8 +192,8 @@ def _plus(number: Expression, addend: Fraction) -> Expression:
     if not addend:
         return number
     whole = whole_double(abs(addend.numerator))
-    term = whole if addend.denominator == 1 else Operation("/", (whole, whole_double(addend.denominator)))
-    return add(number, term) if addend > 0 else subtract(number, term)
+    term = whole if addend.denominator == 1 else whole / whole_double(addend.denominator)
+    return number + term if addend > 0 else number - term
 
 
 def _writable(value: Value) -> Ranges:
@@ -219,8 +204,8 @@ def _is_in(value: Value, ranges: Ranges | None, number: Expression) -> Expressio
     """The test whether a number is in ranges that are narrower than its type."""
     encoding, tests = value.encoding, []
     for low, high in ranges.intervals if ranges is not None else ():
-        bounds = [at_least(number, literal(encoding, low))] if low > 0 or bounds_of(encoding)[0] < 0 else []
-        tests.append(Group(all_of([*bounds, at_most(number, literal(encoding, high))])))
+        bounds = [number.at_least(literal(encoding, low))] if low > 0 or bounds_of(encoding)[0] < 0 else []
+        tests.append(Group(all_of([*bounds, number.at_most(literal(encoding, high))])))
     return any_of(tests)
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, RecordLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import bounds_of
-from fieldspec.targets.c.bit_counts import check_bit_count
 from fieldspec.targets.c.declarations import BLANK, Comment, Declaration, Define, Function, Struct, comment
 from fieldspec.targets.c.expressions import (
     CAPACITY,
@@ -19,17 +18,8 @@ from fieldspec.targets.c.expressions import (
     Conditional,
     Expression,
     Group,
-    Operation,
-    PointerMember,
     Type,
-    add,
-    address_of,
     any_of,
-    dereference,
-    different,
-    greater,
-    less,
-    multiply,
 )
 from fieldspec.targets.c.fields import (
     INNER_LENGTH,
@@ -51,7 +41,7 @@ from fieldspec.targets.c.fields import (
 )
 from fieldspec.targets.c.inner_lists import decided_sizes, decode_inner_lists, encode_inner_lists
 from fieldspec.targets.c.literals import ZERO, unsigned
-from fieldspec.targets.c.naming import Naming
+from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.packing import check_measures, check_members, check_unpacked, declare_packing, is_packed
 from fieldspec.targets.c.presences import check_presences, counts_in_image, following, present_sizes
 from fieldspec.targets.c.statements import (
@@ -146,11 +136,11 @@ def _encode_function(
         for field in record.fields:
             body += _check_count(naming, record, field)
         size = _encoded_size(record)
-        body += refuse(naming, less(CAPACITY, size), "err_capacity")
+        body += refuse(naming, CAPACITY.less(size), "err_capacity")
         body += _write_fields(naming, device, record, checked)
-        body.append(assign(dereference(LENGTH), size))
+        body.append(assign(LENGTH.dereferenced(), size))
     else:
-        body += [discard("out"), discard("capacity"), assign(dereference(LENGTH), ZERO)]
+        body += [discard("out"), discard("capacity"), assign(LENGTH.dereferenced(), ZERO)]
     body.append(return_ok(naming))
     name = naming.function("record", record.name, verb)
     return Function(status_type(naming), name, tuple(parameters), tuple(body), function_locals(naming))
@@ -182,9 +172,9 @@ def _check_count(naming: Naming, record: RecordLayout, field: FieldLayout) -> Bo
     repeat = field.field.repeat
     if repeat is None:
         return ()
-    count = PointerMember(IN, count_member(record, field))
-    tests: list[Expression] = [less(count, unsigned(repeat.low))] if repeat.low else []
-    return refuse(naming, any_of([*tests, greater(count, unsigned(repeat.high))]), "err_wrong_length")
+    count = IN.arrow(count_member(record, field))
+    tests: list[Expression] = [count.less(unsigned(repeat.low))] if repeat.low else []
+    return refuse(naming, any_of([*tests, count.greater(unsigned(repeat.high))]), "err_wrong_length")
 
 
 def _encoded_size(record: RecordLayout) -> Expression:
@@ -193,8 +183,8 @@ def _encoded_size(record: RecordLayout) -> Expression:
         return unsigned(record.size)
     last = record.fields[-1]
     repeated = last.field.repeat is not None
-    count = PointerMember(IN, count_member(record, last)) if repeated else unsigned(last.count or 1)
-    return Group(add(unsigned(last.offset), multiply(count, element_size(record, last))))
+    count = IN.arrow(count_member(record, last)) if repeated else unsigned(last.count or 1)
+    return Group(unsigned(last.offset) + (count * element_size(record, last)))
 
 
 def _write_fields(naming: Naming, device: Device, record: RecordLayout, checked: bool) -> Body:
@@ -245,10 +235,10 @@ def _write_record(naming: Naming, device: Device, record: RecordLayout, value: E
     """Checks and writes a record within another."""
     if not is_packed(record):
         encode = naming.function("record", record.name, "encode")
-        sizes = unsigned(record.most or 0), address_of(INNER_LENGTH)
+        sizes = unsigned(record.most or 0), INNER_LENGTH.address()
         return return_error(naming, Call(encode, (*struct_argument(record, value), target, *sizes)))
     check, pack = (naming.function("record", record.name, verb) for verb in ("check", "pack"))
-    struct = address_of(value)
+    struct = value.address()
     checks = return_error(naming, Call(check, (struct,))) if check_members(naming, device, record) else ()
     return (*checks, call(pack, struct, target))
 
@@ -260,7 +250,7 @@ def _write_measure(naming: Naming, record: RecordLayout, field: FieldLayout, tar
     highest = wire.value.ranges.high if wire.value.ranges else bounds_of(wire.encoding)[1]
     greatest = _greatest_measure(record, field)
     fits = (greatest is not None and greatest <= highest) or highest >= 2**31
-    checks = () if fits else refuse(naming, greater(measured, unsigned(highest)), "err_out_of_range")
+    checks = () if fits else refuse(naming, measured.greater(unsigned(highest)), "err_out_of_range")
     return (*checks, store_whole(naming, wire, Group(measured), target))
 
 
@@ -286,9 +276,9 @@ def _check_length(naming: Naming, record: RecordLayout) -> Body:
     if record.least and record.least == record.most:
         # One comparison where all is well.
         incomplete, wrong = naming.status("err_incomplete"), naming.status("err_wrong_length")
-        return (return_if(different(LENGTH, minimum), Conditional(less(LENGTH, minimum), incomplete, wrong)),)
-    shorter = refuse(naming, less(LENGTH, minimum), "err_incomplete") if record.least else ()
-    return (*shorter, *refuse(naming, greater(LENGTH, maximum), "err_wrong_length"))
+        return (return_if(LENGTH.differs(minimum), Conditional(LENGTH.less(minimum), incomplete, wrong)),)
+    shorter = refuse(naming, LENGTH.less(minimum), "err_incomplete") if record.least else ()
+    return (*shorter, *refuse(naming, LENGTH.greater(maximum), "err_wrong_length"))
 
 
 def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
@@ -303,18 +293,18 @@ def _check_repeated_length(naming: Naming, record: RecordLayout) -> Body:
     low, high = (repeat.low, repeat.high) if repeat is not None else (last.count or 1, last.count or 1)
     body: Body = ()
     if last.splits_record:
-        minimum, maximum = (add(unsigned(last.offset), multiply(unsigned(bound), size)) for bound in (low, high))
+        minimum, maximum = (unsigned(last.offset) + (unsigned(bound) * size) for bound in (low, high))
         if low:
-            body += refuse(naming, less(LENGTH, minimum), "err_incomplete")
-        body += refuse(naming, greater(LENGTH, maximum), "err_wrong_length")
+            body += refuse(naming, LENGTH.less(minimum), "err_incomplete")
+        body += refuse(naming, LENGTH.greater(maximum), "err_wrong_length")
     if repeat is None:
         return (*body, *counts_in_image(naming, record))
     # Where the list begins with the record, `- 0u` stays, so that all records read alike.
-    rest = Operation("-", (LENGTH, unsigned(last.offset)))
+    rest = LENGTH - unsigned(last.offset)
     if last.splits_record or (last.size > 1 and low < high):
-        body += refuse(naming, different(Operation("%", (rest, size)), ZERO), "err_wrong_length")
-    count = PointerMember(OUT, count_member(record, last))
-    return (*body, *counts_in_image(naming, record), Assignment(count, Operation("/", (rest, size))))
+        body += refuse(naming, (rest % size).differs(ZERO), "err_wrong_length")
+    count = OUT.arrow(count_member(record, last))
+    return (*body, *counts_in_image(naming, record), Assignment(count, rest / size))
 
 
 def _read_fields(naming: Naming, device: Device, record: RecordLayout) -> Body:
@@ -360,7 +350,7 @@ def _field_reader(naming: Naming, device: Device, record: RecordLayout, field: F
 def _read_record(naming: Naming, device: Device, record: RecordLayout, value: Expression, source: Expression) -> Body:
     """Reads and checks a record within another."""
     if is_packed(record) and not check_unpacked(naming, device, record):
-        return (call(naming.function("record", record.name, "unpack"), source, address_of(value)),)
+        return (call(naming.function("record", record.name, "unpack"), source, value.address()),)
     decode = naming.function("record", record.name, "decode")
     size = unsigned(record.size) if record.size is not None else _sent_size(naming, record, source)
     arguments = source, size, *struct_argument(record, value)
@@ -370,3 +360,20 @@ def _read_record(naming: Naming, device: Device, record: RecordLayout, value: Ex
 def _sent_size(naming: Naming, record: RecordLayout, source: Expression) -> Expression:
     """`tag_sent_size(in + 3, 8u)`: the size of a record that tells it; it has been judged."""
     return Call(naming.function("record", record.name, "sent_size"), (source, unsigned(record.most or 0)))
+
+
+def check_bit_count(naming: Naming, record: RecordLayout, struct: Expression) -> Body:
+    """Refuses a number of bits that takes another number of bytes than there are.
+
+    `if (in->count / 8u + (in->count % 8u + 7u) / 8u != in->bits_count) { return ERR_WRONG_MEASURE; }`
+    """
+    body: Body = ()
+    for field in record.fields:
+        packed = record.named(field.bits_of) if field.bits_of else None
+        if packed is not None:
+            number = struct.arrow(member(field.name))
+            rest = Group((number % unsigned(8)) + unsigned(7))
+            size = (number / unsigned(8)) + (rest / unsigned(8))
+            actual_size = struct.arrow(count_member(record, packed))
+            body = (*body, *refuse(naming, size.differs(actual_size), "err_wrong_measure"))
+    return body

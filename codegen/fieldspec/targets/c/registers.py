@@ -25,17 +25,9 @@ from fieldspec.targets.c.expressions import (
     OUT,
     OUTPUT_BYTES,
     VALUE,
-    Cast,
-    Element,
     Expression,
     Identifier,
     Type,
-    add,
-    at_least,
-    dereference,
-    greater,
-    multiply,
-    subtract,
 )
 from fieldspec.targets.c.literals import ZERO, decimal, hexadecimal, unsigned
 from fieldspec.targets.c.machine import literal, macro_literal
@@ -115,7 +107,7 @@ def access_functions(
     if enum_type(device, answer.value) is not None:
         decode = decode_enum(naming, device, answer)
     else:
-        decode = decode_value(naming, device, answer, IN, OUT if wire.is_array else dereference(OUT))
+        decode = decode_value(naming, device, answer, IN, OUT if wire.is_array else OUT.dereferenced())
     if value.const is not None:
         encode = store_constant(naming, wire, value.const, OUT)
     elif enum_type(device, value) is not None:
@@ -124,7 +116,7 @@ def access_functions(
     else:
         encode = encode_value(naming, device, wire, VALUE, OUT)
         outputs.insert(0, declare_value(wire, "value", const=wire.is_array))
-    padding = [assign(Element(OUT, decimal(index)), ZERO) for index in range(wire.size, size)]
+    padding = [assign(OUT.element(decimal(index)), ZERO) for index in range(wire.size, size)]
     source, target = "", ""
     if noun == "register":
         bytes_text = f"its {size} byte{'s' * (size > 1)}"
@@ -230,14 +222,14 @@ def _address_function(
     """
     first, count, stride = (Identifier(naming.macro(noun, name, end)) for end in ("first", "count", "stride"))
     base = Identifier("base") if moving is not None else Identifier(naming.macro(noun, name, "address"))
-    index = subtract(NUMBER, first)
-    address = Cast("uint16_t", add(base, multiply(index, stride)))
+    index = NUMBER - first
+    address = (base + (index * stride)).cast("uint16_t")
     extent = moving.table.stride * (moving.table.count - 1) + moving.words if moving is not None else 1
-    fits = refuse(naming, greater(base, hexadecimal(0x10000 - extent, 2)), "err_out_of_range") if extent > 1 else ()
+    fits = refuse(naming, base.greater(hexadecimal(0x10000 - extent, 2)), "err_out_of_range") if extent > 1 else ()
     body: Body = (
-        *refuse(naming, at_least(index, count), "err_out_of_range"),
+        *refuse(naming, index.at_least(count), "err_out_of_range"),
         *fits,
-        assign(dereference(Identifier("address")), address),
+        assign(Identifier("address").dereferenced(), address),
         return_ok(naming),
     )
     parameters = (

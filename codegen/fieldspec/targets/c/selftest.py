@@ -22,18 +22,7 @@ from fieldspec.targets.c.assertions import (
 )
 from fieldspec.targets.c.declarations import Function, escape_comment
 from fieldspec.targets.c.enums import code_tables
-from fieldspec.targets.c.expressions import (
-    SIZE_TYPE,
-    Call,
-    Expression,
-    Identifier,
-    Member,
-    SizeOf,
-    Type,
-    address_of,
-    different,
-    subtract,
-)
+from fieldspec.targets.c.expressions import SIZE_TYPE, Call, Expression, Identifier, SizeOf, Type
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.literals import ZERO, byte_initializer, decimal
 from fieldspec.targets.c.machine import literal
@@ -60,9 +49,9 @@ from fieldspec.targets.templates import fill, text
 BYTE = Type("uint8_t")
 _BYTES, _WANTED, _IN, _OUT = (Identifier(name) for name in ("bytes", "wanted", "in", "out"))
 
-_IN_POINTER, _OUT_POINTER, _LENGTH_POINTER = address_of(_IN), address_of(_OUT), address_of(LENGTH)
+_IN_POINTER, _OUT_POINTER, _LENGTH_POINTER = _IN.address(), _OUT.address(), LENGTH.address()
 _SIZE_OF_BYTES = SizeOf(_BYTES)
-_CUT_SIZE = subtract(SizeOf(_WANTED), decimal(1))
+_CUT_SIZE = SizeOf(_WANTED) - decimal(1)
 _CLEAR = clear_variable(_BYTES), clear_variable(_IN_POINTER), clear_variable(_OUT_POINTER)
 _SAME_BYTES = same_array(_BYTES, _WANTED)
 _LENGTH_VARIABLE = Variable(SIZE_TYPE, "length", value=ZERO)
@@ -181,7 +170,7 @@ def _test_member(
         expect_equal(f"{description} decodes", decoded, ok),
         *expect_members(naming, form, values, _OUT, description),
         expect_equal(f"{description} short", short, naming.status("err_capacity")),
-        *([expect(different(cut, ok), f"{description} cut")] if _is_cut_short(form.record) else []),
+        *([expect(cut.differs(ok), f"{description} cut")] if _is_cut_short(form.record) else []),
     ]
 
 
@@ -213,7 +202,7 @@ def _test_unknown_selector(naming: Naming, record: RecordLayout) -> Iterator[lis
         Variable(Type(naming.type("record", record.name)), "in"),
         Variable(SIZE_TYPE, "length", value=ZERO),
         clear_variable(_IN_POINTER),
-        assign(Member(_IN, member(selector.name)), literal(encoding, number)),
+        assign(_IN.member(member(selector.name)), literal(encoding, number)),
         expect_equal(f"{record.name} chooses nothing", encoded, unknown_value),
     ]
     if minimum == 0 and number == maximum:

@@ -23,18 +23,7 @@ from fieldspec.targets.c.assertions import (
     set_members,
 )
 from fieldspec.targets.c.delimiters import is_wrapped
-from fieldspec.targets.c.expressions import (
-    SIZE_TYPE,
-    Call,
-    Expression,
-    Identifier,
-    Member,
-    SizeOf,
-    Type,
-    add,
-    address_of,
-    equal,
-)
+from fieldspec.targets.c.expressions import SIZE_TYPE, Call, Expression, Identifier, SizeOf, Type
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parts
 from fieldspec.targets.c.literals import FALSE, TRUE, ZERO, byte_initializer, decimal, unsigned
@@ -52,14 +41,14 @@ _IN, _OUT, _AGAIN, _STATUS = (Identifier(name) for name in ("in", "out", "again"
 _SIZE_OF_FRAME = SizeOf(_FRAME)
 _OPEN_ARGUMENTS = _RECEIVED, SizeOf(_RECEIVED)
 _BUFFER_ARGUMENTS = _BUFFER, SizeOf(_BUFFER)
-_RECEIVE = call("copy", _RECEIVED, _FRAME, _SIZE_OF_FRAME), clear_variable(address_of(_OPENED))
-_BODY = Member(_OPENED, "body"), Member(_OPENED, "body_length")
-_IN_POINTER, _OUT_POINTER = address_of(_IN), address_of(_OUT)
+_RECEIVE = call("copy", _RECEIVED, _FRAME, _SIZE_OF_FRAME), clear_variable(_OPENED.address())
+_BODY = _OPENED.member("body"), _OPENED.member("body_length")
+_IN_POINTER, _OUT_POINTER = _IN.address(), _OUT.address()
 _SAME_FRAME = same_array(_AGAIN, _FRAME)
 _RECEIVED_VARIABLE, _BUFFER_VARIABLE = (Variable(_BYTE, name, (_SIZE_OF_FRAME,)) for name in ("received", "buffer"))
 _LENGTH_VARIABLE = Variable(SIZE_TYPE, "length", value=ZERO)
 _CLEAR_STRUCTS = clear_variable(_IN_POINTER), clear_variable(_OUT_POINTER)
-_ENCODE_ARGUMENTS = _AGAIN, SizeOf(_AGAIN), address_of(LENGTH)
+_ENCODE_ARGUMENTS = _AGAIN, SizeOf(_AGAIN), LENGTH.address()
 
 
 def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list[Statement]:
@@ -76,7 +65,7 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
         buffer = _BUFFER_ARGUMENTS
     body.append(Variable(Type(naming.type("link", link.name, example.direction, "frame")), "opened"))
     open_frame = naming.function("link", link.name, example.direction, "open")
-    opened = Call(open_frame, (*_OPEN_ARGUMENTS, *buffer, address_of(_OPENED)))
+    opened = Call(open_frame, (*_OPEN_ARGUMENTS, *buffer, _OPENED.address()))
     if example.refused:
         return [*body, *_expect_refusal(layout, naming, example, opened)]
     record = body_of(layout, link.name, example.direction, example.message, example.exception_response)
@@ -87,7 +76,7 @@ def test_example(layout: DeviceLayout, naming: Naming, example: Example) -> list
     if has_struct:
         body.append(Variables(Type(naming.type("record", record.name)), ("in", "out")))
     shape = link.frame(example.direction)
-    room = add(_SIZE_OF_FRAME, decimal(len(shape.further) + len(shape.start) + len(shape.end)))
+    room = _SIZE_OF_FRAME + decimal(len(shape.further) + len(shape.start) + len(shape.end))
     body += [Variable(_BYTE, "again", (room,)), _LENGTH_VARIABLE]
     if has_struct:
         body += _CLEAR_STRUCTS
@@ -120,13 +109,13 @@ def _expect_header(link: LinkLayout, example: Example, values: dict[str, Any], d
     body: list[Statement] = []
     for part in header_parts(frame):
         number = _header_number(part, int(values[part.name]))
-        body.append(expect_equal(f"{description}: {part.name}", Member(_OPENED, frame_member(part)), number))
+        body.append(expect_equal(f"{description}: {part.name}", _OPENED.member(frame_member(part)), number))
     if frame.role("code") is not None:
-        body.append(expect_equal(f"{description}: code", Member(_OPENED, "code"), _code(link, example)))
+        body.append(expect_equal(f"{description}: code", _OPENED.member("code"), _code(link, example)))
     if example.direction == "response" and link.link.exception_response is not None:
         body.append(
             expect_equal(
-                f"{description}: error", Member(_OPENED, "error"), TRUE if example.exception_response else FALSE
+                f"{description}: error", _OPENED.member("error"), TRUE if example.exception_response else FALSE
             )
         )
     return body
@@ -200,7 +189,7 @@ def _expect_refusal(layout: DeviceLayout, naming: Naming, example: Example, open
         *_RECEIVE,
         *([clear_variable(_OUT_POINTER)] if has_struct else []),
         assign(_STATUS, opened),
-        If(equal(_STATUS, naming.status("ok")), (assign(_STATUS, decoded),)),
+        If(_STATUS.equals(naming.status("ok")), (assign(_STATUS, decoded),)),
         expect_equal(description, _STATUS, error),
     ]
 

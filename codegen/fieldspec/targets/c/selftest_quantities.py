@@ -14,7 +14,7 @@ from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth,
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.absent import AbsentValue, absent_values
 from fieldspec.targets.c.assertions import expect, expect_equal
-from fieldspec.targets.c.expressions import Call, Expression, Identifier, Type, address_of, at_least, at_most
+from fieldspec.targets.c.expressions import Call, Expression, Identifier, Type
 from fieldspec.targets.c.literals import FALSE, TRUE, ZERO, double, whole_double
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming
@@ -104,8 +104,8 @@ def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterat
         yield Variable(Type(type_name(value)), "raw", value=ZERO)
     for number, expected in small.items():
         description = f"{absent.title} {number}"
-        reading = Call(from_raw, (literal(value.encoding, number), address_of(_QUANTITY)))
-        writing = Call(to_raw, (_QUANTITY, address_of(_RAW)))
+        reading = Call(from_raw, (literal(value.encoding, number), _QUANTITY.address()))
+        writing = Call(to_raw, (_QUANTITY, _RAW.address()))
         if value.sentinel(number) is not None:
             yield expect_equal(description, reading, out_of_range)
             if goes_back:
@@ -114,8 +114,8 @@ def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterat
             continue
         tolerance = abs(expected) * 1e-12
         yield expect_equal(description, reading, ok)
-        yield expect(at_least(_QUANTITY, double(expected - tolerance)), description)
-        yield expect(at_most(_QUANTITY, double(expected + tolerance)), description)
+        yield expect(_QUANTITY.at_least(double(expected - tolerance)), description)
+        yield expect(_QUANTITY.at_most(double(expected + tolerance)), description)
         if goes_back:
             yield expect_equal(f"{description} back", writing, ok)
             yield expect_equal(f"{description} back", _RAW, literal(value.encoding, number))
@@ -135,7 +135,7 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
             description, expected = f"{name} {number} by {power}", float(value.scaled_by(power).in_unit(number))
             reading = Call(
                 from_raw,
-                (literal(value.encoding, number), literal(exponent.value.encoding, power), address_of(_QUANTITY)),
+                (literal(value.encoding, number), literal(exponent.value.encoding, power), _QUANTITY.address()),
             )
             if value.sentinel(number) is not None:
                 yield expect_equal(description, reading, out_of_range)
@@ -144,10 +144,10 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
                 continue
             tolerance = abs(expected) * 1e-12
             yield expect_equal(description, reading, ok)
-            yield expect(at_least(_QUANTITY, double(expected - tolerance)), description)
-            yield expect(at_most(_QUANTITY, double(expected + tolerance)), description)
+            yield expect(_QUANTITY.at_least(double(expected - tolerance)), description)
+            yield expect(_QUANTITY.at_most(double(expected + tolerance)), description)
             if exact:
-                arguments = (_QUANTITY, literal(exponent.value.encoding, power), address_of(_RAW))
+                arguments = (_QUANTITY, literal(exponent.value.encoding, power), _RAW.address())
                 yield expect_equal(f"{description} back", Call(to_raw, arguments), ok)
                 yield expect_equal(f"{description} back", _RAW, literal(value.encoding, number))
     excessive = ranges.high + 1
@@ -155,12 +155,12 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
         refused: tuple[Expression, ...] = (
             whole_double(0),
             literal(exponent.value.encoding, excessive),
-            address_of(_RAW),
+            _RAW.address(),
         )
         yield expect_equal(f"{name} by {excessive}", Call(to_raw, refused), out_of_range)
     high = float(value.scaled_by(ranges.low).in_unit(4 * value.high + 4))
     if high < _GREATEST:
-        refused = (double(high), literal(exponent.value.encoding, ranges.low), address_of(_RAW))
+        refused = (double(high), literal(exponent.value.encoding, ranges.low), _RAW.address())
         yield expect_equal(f"{name} beyond", Call(to_raw, refused), out_of_range)
 
 

@@ -15,22 +15,7 @@ from fieldspec.language.model.value import Conversion, Value
 from fieldspec.targets.c.assertions import expect, expect_bytes, expect_equal
 from fieldspec.targets.c.conversions import count_bounds, count_type
 from fieldspec.targets.c.enums import available_members, code_tables, enum_type
-from fieldspec.targets.c.expressions import (
-    Call,
-    Cast,
-    Element,
-    Expression,
-    Identifier,
-    PointerMember,
-    Type,
-    Unary,
-    address_of,
-    all_of,
-    at_least,
-    at_most,
-    different,
-    equal,
-)
+from fieldspec.targets.c.expressions import Call, Expression, Identifier, Type, Unary, all_of
 from fieldspec.targets.c.flags import named_bits, number_of_bit
 from fieldspec.targets.c.literals import (
     FALSE,
@@ -95,7 +80,7 @@ def _test_flags(naming: Naming, word: Flags) -> Iterator[Statement]:
     for name, bit in named_bits(word):
         all_bits = hexadecimal(sum(1 << number for number in bit.places), size)
         mask, get = naming.macro("bit", word.name, name, "mask"), naming.function("bit", word.name, name)
-        other_bits = Cast(machine(word.type.encoding).word, Unary("~", all_bits))
+        other_bits = Unary("~", all_bits).cast(machine(word.type.encoding).word)
         wide = bit.width > 1
         yield _expect_constant(mask, all_bits)
         all_ones = integer(-1 if bit.signed else (1 << bit.width) - 1, number_of_bit(word, bit))
@@ -145,9 +130,9 @@ def _test_code_texts(naming: Naming, enum: Enum) -> Iterator[Statement]:
     for member in [member for member in enum.members if member.value < 2**63]:
         result = Call(function, (integer(member.value, INT64),))
         number = integer(-1 if member.number is None else member.number, INT64)
-        tests: list[Expression] = [different(result, NULL), equal(PointerMember(result, "number"), number)]
+        tests: list[Expression] = [result.differs(NULL), result.arrow("number").equals(number)]
         for text, name in ((member.name, "name"), (member.printed_name, "printed")):
-            tests.append(Call("same_text", (PointerMember(result, name), string(text))))
+            tests.append(Call("same_text", (result.arrow(name), string(text))))
         yield expect(all_of(tests), function)
     unknown = next(code for code in range(len(enum.members) + 1) if enum.member(code) is None)
     yield expect_equal(function, Call(function, (integer(unknown, INT64),)), NULL)
@@ -196,7 +181,7 @@ def _test_last(
     variable = Identifier(result)
 
     def result_of(number: int) -> Call:
-        return Call(function, (*before, unsigned(number), address_of(variable)))
+        return Call(function, (*before, unsigned(number), variable.address()))
 
     return Block(
         (
@@ -210,7 +195,7 @@ def _test_last(
 
 
 _BYTES, _OTHER, _IN, _OUT, _RAW = (Identifier(name) for name in ("bytes", "other", "in", "out", "raw"))
-_OUT_POINTER = address_of(_OUT)
+_OUT_POINTER = _OUT.address()
 _REFERENCE = 3000
 """The reference of quantities in tests: a usual speed in revolutions a minute."""
 
@@ -282,7 +267,7 @@ def _answer(value: Value, order: tuple[str, bool], number: int) -> Iterator[Stat
     """Writes the bytes of a read over the bytes of a write, where the word orders differ."""
     if value.write_word_order:
         for place, byte in enumerate(value_bytes(value, *order, number)):
-            yield assign(Element(_BYTES, decimal(place)), hexadecimal(byte, 1))
+            yield assign(_BYTES.element(decimal(place)), hexadecimal(byte, 1))
 
 
 def _constants(naming: Naming, device: Device, value: Value, numbers: list[int]) -> dict[int, Expression]:
@@ -306,7 +291,7 @@ def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> 
     from_raw = naming.function("conversion", conversion.name, "from_raw")
     to_raw = naming.function("conversion", conversion.name, "to_raw")
     ok, out_of_range = naming.status("ok"), naming.status("err_out_of_range")
-    reference, raw = whole_double(_REFERENCE), address_of(_RAW)
+    reference, raw = whole_double(_REFERENCE), _RAW.address()
     low, high = count_bounds(device, conversion)
     body: list[Statement] = [Variable(Type(count_type(conversion)), "raw", value=ZERO)]
     counts = {low, 0, 1, conversion.full_scale, high}
@@ -316,8 +301,8 @@ def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> 
         tolerance = max(abs(expected) * 1e-12, 1e-12)
         quantity = Call(from_raw, (count, reference))
         body += [
-            expect(at_least(quantity, double(expected - tolerance)), description),
-            expect(at_most(quantity, double(expected + tolerance)), description),
+            expect(quantity.at_least(double(expected - tolerance)), description),
+            expect(quantity.at_most(double(expected + tolerance)), description),
         ]
         if keeps_counts(encoding):
             body += [

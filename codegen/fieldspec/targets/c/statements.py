@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.targets.c.expressions import Call, Cast, Expression, Identifier, Initializer, Literal, Local, Type
+from fieldspec.targets.c.expressions import Call, Expression, Identifier, Initializer, Literal, Local, Type
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,7 +181,7 @@ def return_if(test: Expression, status: Expression) -> If:
 
 def discard(name: str) -> Evaluation:
     """`(void)name;`, so that no compiler warns of a parameter that is not used."""
-    return Evaluation(Cast("void", Identifier(name)))
+    return Evaluation(Identifier(name).cast("void"))
 
 
 def contains(tree: object, node: Expression) -> bool:

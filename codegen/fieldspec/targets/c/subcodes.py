@@ -9,26 +9,7 @@ from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.subcodes import Subcode
 from fieldspec.targets.c.declarations import Function
-from fieldspec.targets.c.expressions import (
-    IN,
-    LENGTH,
-    OUT,
-    Call,
-    Expression,
-    Group,
-    Identifier,
-    PointerMember,
-    Type,
-    add,
-    all_of,
-    any_of,
-    at_least,
-    at_most,
-    different,
-    equal,
-    greater,
-    less,
-)
+from fieldspec.targets.c.expressions import IN, LENGTH, OUT, Call, Expression, Group, Identifier, Type, all_of, any_of
 from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.number_access import access_name
@@ -59,13 +40,13 @@ def read_subcode(naming: Naming, frame: FrameLayout, code: int, subcode: Subcode
 
     `if (out->code == 8u) { if (length < 6u) { return ERR_INCOMPLETE; } out->subcode = load_u16(in + 2); ... }`
     """
-    member = PointerMember(OUT, "subcode")
+    member = OUT.arrow("subcode")
     parts_size = frame.header_size + frame.trailer_size
-    place = add(IN, decimal(frame.header_size + subcode.offset))
+    place = IN + decimal(frame.header_size + subcode.offset)
     return If(
-        all_of([*guard, equal(PointerMember(OUT, "code"), unsigned(code))]),
+        all_of([*guard, OUT.arrow("code").equals(unsigned(code))]),
         (
-            *refuse(naming, less(LENGTH, unsigned(parts_size + subcode.end)), "err_incomplete"),
+            *refuse(naming, LENGTH.less(unsigned(parts_size + subcode.end)), "err_incomplete"),
             assign(member, Call(naming.own(f"load_{access_name(subcode.size, subcode.order, False)}"), (place,))),
             *refuse(naming, all_of(list(_differences(member, subcode))), "err_unknown_code"),
         ),
@@ -78,11 +59,11 @@ def _differences(member: Expression, subcode: Subcode) -> Iterator[Expression]:
         own = next(other for other in subcode.messages.values() if other.name == message)
         for low, high in subcode.intervals_of(own):
             if low == high:
-                yield different(member, unsigned(low))
+                yield member.differs(unsigned(low))
             elif low == 0:
-                yield greater(member, unsigned(high))
+                yield member.greater(unsigned(high))
             else:
-                yield any_of([less(member, unsigned(low)), greater(member, unsigned(high))])
+                yield any_of([member.less(unsigned(low)), member.greater(unsigned(high))])
 
 
 def subcodes_of(layout: DeviceLayout, message: MessageLayout) -> tuple[tuple[int, int], ...]:
@@ -108,10 +89,10 @@ def has_subcode(naming: Naming, layout: DeviceLayout, message: str, intervals: S
     number = Identifier("subcode")
     tests: list[Expression] = []
     for low, high in intervals:
-        upper_test = at_most(number, unsigned(high))
-        interval_test = upper_test if low == 0 else all_of([at_least(number, unsigned(low)), upper_test])
+        upper_test = number.at_most(unsigned(high))
+        interval_test = upper_test if low == 0 else all_of([number.at_least(unsigned(low)), upper_test])
         interval_test = Group(interval_test) if len(intervals) > 1 and low else interval_test
-        tests.append(equal(number, unsigned(low)) if low == high else interval_test)
+        tests.append(number.equals(unsigned(low)) if low == high else interval_test)
     name = naming.function("message", message, "has_subcode")
     kind = subcode_type(all_subcodes(layout))
     return Function(Type("bool"), name, (Variable(kind, "subcode"),), (Return(any_of(tests)),))

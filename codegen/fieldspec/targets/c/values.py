@@ -37,23 +37,7 @@ from fieldspec.targets.c.conditions import refused_number
 from fieldspec.targets.c.digits import digits_call, digits_test, load_digits, to_nibbles
 from fieldspec.targets.c.encoded_texts import load_text, store_text, text_bytes_test, text_capacity, text_test
 from fieldspec.targets.c.enums import enum_type
-from fieldspec.targets.c.expressions import (
-    IN,
-    OUT,
-    VALUE,
-    Call,
-    Cast,
-    Element,
-    Expression,
-    Identifier,
-    Literal,
-    Member,
-    Type,
-    dereference,
-    different,
-    greater,
-    negate,
-)
+from fieldspec.targets.c.expressions import IN, OUT, VALUE, Call, Expression, Identifier, Literal, Type
 from fieldspec.targets.c.literals import decimal, unsigned
 from fieldspec.targets.c.machine import fixed_bits, literal, machine, of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
@@ -194,13 +178,13 @@ def load_value(naming: Naming, wire: WireValue, source: Expression, target: Expr
         case Text():
             if encoding.form is not None:
                 return (load_text(naming, wire.value, wire.order, source, target),)
-            end = Assignment(Element(target, decimal(encoding.size)), _NUL)
+            end = Assignment(target.element(decimal(encoding.size)), _NUL)
             return copy_bytes(naming, target, source, size), end
         case Octets() if wire.value.is_marked:
             load_marked = Call(
-                naming.own("load_marked"), (Member(target, DATA), source, unsigned(wire.value.image_size))
+                naming.own("load_marked"), (target.member(DATA), source, unsigned(wire.value.image_size))
             )
-            return (Assignment(Member(target, COUNT), load_marked),)
+            return (Assignment(target.member(COUNT), load_marked),)
         case Octets():
             return (copy_bytes(naming, target, source, size),)
         case Whole() | Real() | Truth() | Digits():
@@ -224,11 +208,11 @@ def _refused_bytes(
     """What holds for bytes that a test refuses, from which a number was loaded; that of a constant was not."""
     match test:
         case HasDigits():
-            return negate(digits_test(naming, wire.value, source, load_bits(naming, wire, source)))
+            return digits_test(naming, wire.value, source, load_bits(naming, wire, source)).negated()
         case HasCharacters():
             if test.text.form is not None:
-                return negate(text_bytes_test(naming, wire.value, wire.order, source))
-            return negate(Call(naming.own("is_ascii"), (source, unsigned(wire.size))))
+                return text_bytes_test(naming, wire.value, wire.order, source).negated()
+            return Call(naming.own("is_ascii"), (source, unsigned(wire.size))).negated()
         case IsBit():
             return refused_number(naming, wire.encoding, test, load_bits(naming, wire, source))
         case Equals():
@@ -250,11 +234,11 @@ def decode_value(naming: Naming, device: Device, wire: WireValue, source: Expres
 def decode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
     """`*out = (stop_mode)number;`: a number is checked before it becomes a member of its enum."""
     number = Identifier("number")
-    member = Cast(accessed_type(naming, device, wire.value), number)
+    member = number.cast(accessed_type(naming, device, wire.value))
     return (
         Variable(Type(type_name(wire.value), const=True), number.name, value=load(naming, wire, IN)),
         *check_loaded(naming, device, wire, IN, number),
-        Assignment(dereference(OUT), member),
+        Assignment(OUT.dereferenced(), member),
     )
 
 
@@ -262,7 +246,7 @@ def check_constant(naming: Naming, wire: WireValue, source: Expression) -> Body:
     """`if (load_u8(in + 4) != 3u) { return ERR_WRONG_CONST; }`"""
     assert wire.value.const is not None
     constant = literal(wire.encoding, wire.value.const)
-    return refuse(naming, different(load(naming, wire, source), constant), "err_wrong_const")
+    return refuse(naming, load(naming, wire, source).differs(constant), "err_wrong_const")
 
 
 # Writing
@@ -284,8 +268,8 @@ def _refused_value(naming: Naming, wire: WireValue, test: Test, value: Expressio
     match test:
         case HasCharacters():
             if test.text.form is not None:
-                return negate(text_test(naming, wire.value, wire.order, value))
-            return negate(Call(naming.own("is_text"), (value, unsigned(wire.size))))
+                return text_test(naming, wire.value, wire.order, value).negated()
+            return Call(naming.own("is_text"), (value, unsigned(wire.size))).negated()
         case HasDigits() | IsBit():
             return None
         case Equals() | Known() | Within() | RealWithin() | PartWithin() | Fits():
@@ -303,8 +287,8 @@ def store_value(naming: Naming, wire: WireValue, source: Expression, target: Exp
                 return (store_text(naming, wire.value, wire.order, source, target),)
             return (call(naming.own("put_text"), target, source, size),)
         case Octets() if wire.value.is_marked:
-            data, count = Member(source, DATA), Member(source, COUNT)
-            refusal = refuse(naming, greater(count, size), "err_wrong_length")
+            data, count = source.member(DATA), source.member(COUNT)
+            refusal = refuse(naming, count.greater(size), "err_wrong_length")
             return (*refusal, call(naming.own("store_marked"), target, data, count, unsigned(wire.value.image_size)))
         case Octets():
             return (copy_bytes(naming, target, source, size),)
@@ -322,7 +306,7 @@ def store_number(naming: Naming, wire: WireValue, number: Expression, target: Ex
         function, arguments = digits_call(naming, wire.value, target, number)
         return call(function, *arguments)
     word = machine(Whole(8 * wire.size, Sign.NONE)).type
-    return store(naming, wire.access, target, Cast(word, to_nibbles(naming, wire.value, number)))
+    return store(naming, wire.access, target, to_nibbles(naming, wire.value, number).cast(word))
 
 
 def encode_value(naming: Naming, device: Device, wire: WireValue, source: Expression, target: Expression) -> Body:
@@ -340,7 +324,7 @@ def encode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
     # No signed type that is too small for what a cast may have made of it.
     kind = "int64_t" if bounds_of(wire.encoding)[0] < 0 else type_name(wire.value)
     return (
-        *((Variable(Type(kind, const=True), number.name, value=Cast(kind, VALUE)),) if range_check else ()),
+        *((Variable(Type(kind, const=True), number.name, value=VALUE.cast(kind)),) if range_check else ()),
         *check_stored(naming, device, wire, VALUE, ("unknown_value",)),
         *range_check,
         store_whole(naming, wire, VALUE, OUT),
@@ -355,9 +339,9 @@ def store_whole(naming: Naming, wire: WireValue, number: Expression, target: Exp
     encoding, kind = wire.encoding, machine(wire.encoding)
     match encoding:
         case Digits():
-            return store_number(naming, wire, Cast(kind.type, number), target)
+            return store_number(naming, wire, number.cast(kind.type), target)
         case Whole():
-            bits = to_bits(naming, encoding, Cast(kind.type, number)) if kind.to_bits else Cast(kind.word, number)
+            bits = to_bits(naming, encoding, number.cast(kind.type)) if kind.to_bits else number.cast(kind.word)
             return store(naming, wire.access, target, bits)
         case Real() | Truth() | Text() | Octets():
             raise AssertionError("no whole number")

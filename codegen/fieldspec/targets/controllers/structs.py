@@ -22,15 +22,7 @@ from fieldspec.language.model.encoding import (
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
-from fieldspec.targets.controllers.statements.expressions import (
-    BITS,
-    BYTE,
-    LREAL,
-    REAL,
-    WORD,
-    Type,
-    sequence,
-)
+from fieldspec.targets.controllers.statements.expressions import BITS, BYTE, LREAL, REAL, WORD, Type, sequence
 from fieldspec.targets.controllers.statements.numbers import whole_type
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fieldspec.codec.explain.values import in_unit, range_in_unit
 from fieldspec.language.model.enums import Bit, Flags, State
-from fieldspec.targets.docs.context import Context, names, sources
+from fieldspec.targets.docs.context import Context, fact_row, names
 from fieldspec.targets.docs.document import (
     BitRow,
     Bits,
@@ -99,33 +99,27 @@ def _bit_row(context: Context, word: Flags, bit: Bit, marks: Inferences) -> Tabl
         lines.append((styled("has to be given", "badge"), text_piece(f" Its {reason}.")))
     if bit.enum:
         lines.append((styled("Values: ", "quiet"), code(bit.enum, f"#enums/{bit.enum}")))
-    return TableRow(
-        (
-            cell(bit.number_text),
-            cell(code(f"0x{bit.mask:0{2 * word.type.size}X}")),
-            names(bit, bit.name, mark=marks.all_marks(bit.inferred)),
-            cell(bit.zero),
-            cell(bit.one),
-            cell(*lines, *context.about(bit)),
-            sources(bit),
-        ),
-        bit.place.path,
+    return fact_row(
+        bit,
+        cell(bit.number_text),
+        cell(code(f"0x{bit.mask:0{2 * word.type.size}X}")),
+        names(bit, bit.name, mark=marks.all_marks(bit.inferred)),
+        cell(bit.zero),
+        cell(bit.one),
+        cell(*lines, *context.about(bit)),
     )
 
 
 def _state(word: Flags, state: State) -> TableRow:
     mask, pattern = word.masked(state)
     digits = 2 * word.type.size
-    return TableRow(
-        (
-            names(state, state.name),
-            cell(joined((code(name),) for name in state.set)),
-            cell(joined((code(name),) for name in state.clear)),
-            cell(code(f"word & 0x{mask:0{digits}X} = 0x{pattern:0{digits}X}")),
-            cell(state.doc),
-            sources(state),
-        ),
-        state.place.path,
+    return fact_row(
+        state,
+        names(state, state.name),
+        cell(joined((code(name),) for name in state.set)),
+        cell(joined((code(name),) for name in state.clear)),
+        cell(code(f"word & 0x{mask:0{digits}X} = 0x{pattern:0{digits}X}")),
+        cell(state.doc),
     )
 
 

@@ -85,7 +85,7 @@ def steps(layouts: Sequence[DeviceLayout]) -> list[Step]:
 
 
 def _step(old: DeviceLayout, new: DeviceLayout) -> Step:
-    from fieldspec.language.changes import changes  # with all rules, for which a device of one version has no use
+    from fieldspec.language.changes.table import changes  # with all rules, for which a device of one version has no use
 
     compared = ComparedVersions(old.device, new.device, changes(old.device, new.device), step=True)
     return Step(old, new, tuple(judged_changes(compared)))

@@ -20,6 +20,7 @@ from fieldspec.targets.docs.document import (
     Paragraph,
     Piece,
     Section,
+    TableRow,
     cell,
     code,
     joined,
@@ -222,6 +223,11 @@ def sources(fact: Fact) -> Cell:
     repeated = [citation.text() for claim in fact.restated for citation in claim.sources]
     repeated_lines = [(styled(f"again {'; '.join(dict.fromkeys(repeated))}", "quiet"),)] if repeated else []
     return cell(*own, *repeated_lines)
+
+
+def fact_row(fact: Fact, *cells: Cell, element: bool = False) -> TableRow:
+    """The row of a fact, to which links to the fact lead: its cells, the last one with its sources."""
+    return TableRow((*cells, sources(fact)), fact.place.path, element)
 
 
 def cited(citations: Iterable[Citation]) -> Line:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from fieldspec.language.model.enums import Cause, Enum, Member
-from fieldspec.targets.docs.context import Context, cited, names, sources
+from fieldspec.targets.docs.context import Context, cited, fact_row, names
 from fieldspec.targets.docs.document import (
     Facts,
     Item,
@@ -97,14 +97,11 @@ def _remarks(member: Member) -> list[Line]:
 
 
 def _value(context: Context, member: Member, marks: Inferences) -> TableRow:
-    return TableRow(
-        (
-            cell(*_member_number(member)),
-            names(member, member.name, mark=marks.all_marks(member.inferred)),
-            cell(*_remarks(member), *context.about(member)),
-            sources(member),
-        ),
-        member.place.path,
+    return fact_row(
+        member,
+        cell(*_member_number(member)),
+        names(member, member.name, mark=marks.all_marks(member.inferred)),
+        cell(*_remarks(member), *context.about(member)),
     )
 
 
@@ -112,16 +109,13 @@ def _code(context: Context, member: Member, marks: Inferences) -> TableRow:
     problem: list[Line] = [(text_piece(member.problem),)] if member.problem else []
     causes = [_cause(cause, member) for cause in member.causes]
     causes += [Item((text_piece(remedy),)) for remedy in member.remedies]
-    return TableRow(
-        (
-            cell(*_member_number(member)),
-            names(member, member.name, mark=marks.all_marks(member.inferred)),
-            cell("" if member.number is None else str(member.number)),
-            cell(*problem, *_remarks(member), *context.about(member)),
-            cell(items=causes),
-            sources(member),
-        ),
-        member.place.path,
+    return fact_row(
+        member,
+        cell(*_member_number(member)),
+        names(member, member.name, mark=marks.all_marks(member.inferred)),
+        cell("" if member.number is None else str(member.number)),
+        cell(*problem, *_remarks(member), *context.about(member)),
+        cell(items=causes),
     )
 
 

@@ -1,4 +1,4 @@
-"""Lookup tables, limits and notes."""
+"""Lookup tables, limits and notes, and the units that the spec declares."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from fieldspec.language.model.fact import ScalarValue
 from fieldspec.language.model.texts import Limit, Lookup, LookupColumn, LookupRow, Note
-from fieldspec.targets.docs.context import Context, cited, names, sources
+from fieldspec.language.model.units import DeclaredUnit
+from fieldspec.targets.docs.context import Context, cited, fact_row, names
 from fieldspec.targets.docs.document import (
     Block,
     Cell,
@@ -105,14 +106,11 @@ def limits(context: Context) -> Section:
 
 
 def _limit(context: Context, limit: Limit, marks: Inferences) -> TableRow:
-    return TableRow(
-        (
-            names(limit, limit.name, mark=marks.all_marks(limit.inferred)),
-            cell(*_limit_lines(limit)),
-            cell(*context.about(limit)),
-            sources(limit),
-        ),
-        limit.place.path,
+    return fact_row(
+        limit,
+        names(limit, limit.name, mark=marks.all_marks(limit.inferred)),
+        cell(*_limit_lines(limit)),
+        cell(*context.about(limit)),
     )
 
 
@@ -173,3 +171,34 @@ def _note(context: Context, note: Note) -> Section:
         blocks.append(Facts(tuple(facts)))
     title: Line = (text_piece(note.title),) if note.title else (code(note.name),)
     return Section(note.place.path, title, tuple(blocks))
+
+
+COLUMNS = (
+    TableColumn("Symbol", unbroken=True),
+    TableColumn("Name", unbroken=True),
+    TableColumn("Quantity", "short"),
+    TableColumn("SI units", "number"),
+    TableColumn("UCUM", "short"),
+    TableColumn("Meaning", "wide"),
+    TableColumn("Source", "source"),
+)
+
+
+def units(context: Context) -> Section:
+    """The section of all declared units in one table."""
+    marks = Inferences("units")
+    rows = [_unit_row(context, unit, marks) for unit in context.device.units.values()]
+    blocks = (table("Units", COLUMNS, rows, marks.footnotes()),) if rows else ()
+    return Section("units", (text_piece("Units"),), blocks)
+
+
+def _unit_row(context: Context, unit: DeclaredUnit, marks: Inferences) -> TableRow:
+    return fact_row(
+        unit,
+        cell(unit.symbol),
+        names(unit, unit.title or unit.name, mark=marks.all_marks(unit.inferred)),
+        cell(unit.quantity.replace("_", " ")),
+        cell(unit.factor),
+        cell((code(unit.ucum),)) if unit.ucum else cell(""),
+        cell(*context.about(unit)),
+    )

@@ -10,7 +10,7 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.line_text import plural
 from fieldspec.language.model.record import Message, Segments
 from fieldspec.language.model.value import Conversion, Signal
-from fieldspec.targets.docs.context import Context, cited, names, sources
+from fieldspec.targets.docs.context import Context, cited, fact_row, names
 from fieldspec.targets.docs.document import (
     Cell,
     DocumentTable,
@@ -320,18 +320,15 @@ def signals(context: Context) -> Section:
 
 def _signal(context: Context, signal: Signal, marks: Inferences) -> TableRow:
     kind, unit, bounds = value_cells(signal.value, signal.inferred, marks)
-    return TableRow(
-        (
-            names(signal, signal.name, mark=marks.marks(signal.inferred)),
-            cell(SIGNAL_DIRECTIONS[signal.direction]),
-            kind,
-            unit,
-            bounds,
-            _lies_in(context, signal),
-            meaning_cell(context, signal, signal.value, *_converted(context, signal)),
-            sources(signal),
-        ),
-        signal.place.path,
+    return fact_row(
+        signal,
+        names(signal, signal.name, mark=marks.marks(signal.inferred)),
+        cell(SIGNAL_DIRECTIONS[signal.direction]),
+        kind,
+        unit,
+        bounds,
+        _lies_in(context, signal),
+        meaning_cell(context, signal, signal.value, *_converted(context, signal)),
     )
 
 

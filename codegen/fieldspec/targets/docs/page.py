@@ -31,14 +31,13 @@ from fieldspec.targets.docs.enums import codes, enums
 from fieldspec.targets.docs.errata import errata
 from fieldspec.targets.docs.examples import examples
 from fieldspec.targets.docs.links import links
-from fieldspec.targets.docs.lookups import limits, lookups, notes
+from fieldspec.targets.docs.lookups import limits, lookups, notes, units
 from fieldspec.targets.docs.machines import state_machines
 from fieldspec.targets.docs.messages import conversions, messages, signals, telegrams
 from fieldspec.targets.docs.parameters import parameters
 from fieldspec.targets.docs.records import records, tables
 from fieldspec.targets.docs.registers import registers, spaces
 from fieldspec.targets.docs.tasks import tasks
-from fieldspec.targets.docs.units import units
 from fieldspec.targets.pieces import version_piece
 
 COLUMNS = (TableColumn("Section", unbroken=True), TableColumn("Facts", "number", unbroken=True))

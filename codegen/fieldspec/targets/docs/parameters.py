@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from fieldspec.language.model.registers import Parameter, ParameterSet, Subindex
-from fieldspec.targets.docs.context import Context, cited, sources
+from fieldspec.targets.docs.context import Context, cited, fact_row
 from fieldspec.targets.docs.document import (
     Cell,
     Facts,
@@ -76,17 +76,14 @@ def _rows(
     context: Context, parameter_set: ParameterSet, parameter: Parameter, marks: Inferences, restart: bool
 ) -> Iterator[TableRow]:
     last = parameter.number + parameter.count - 1
-    yield TableRow(
-        (
-            cell(*_numbers(parameter_set.number_text(parameter.number), parameter_set.number_text(last))),
-            _wire(parameter_set, parameter.number, last),
-            *setting_cells(parameter, parameter.name, marks, restart),
-            cell(joined((text_piece(" ".join(name.split("_"))),) for name in parameter.applies_to)),
-            cell(joined((code(name, f"#messages/{name}"),) for name in parameter.messages)),
-            meaning_cell(context, parameter, parameter.value, *_special(parameter)),
-            sources(parameter),
-        ),
-        parameter.place.path,
+    yield fact_row(
+        parameter,
+        cell(*_numbers(parameter_set.number_text(parameter.number), parameter_set.number_text(last))),
+        _wire(parameter_set, parameter.number, last),
+        *setting_cells(parameter, parameter.name, marks, restart),
+        cell(joined((text_piece(" ".join(name.split("_"))),) for name in parameter.applies_to)),
+        cell(joined((code(name, f"#messages/{name}"),) for name in parameter.messages)),
+        meaning_cell(context, parameter, parameter.value, *_special(parameter)),
     )
     for inner in parameter.subindices:
         yield _subindex(context, parameter, inner, marks)
@@ -115,16 +112,13 @@ def _subindex(context: Context, parameter: Parameter, inner: Subindex, marks: In
     special: list[Line] = [(styled("reserved", "badge"),)] if inner.reserved else []
     index = spoken(inner.indices.text())
     subindex_name = f"{parameter.name}[{index}]" + (f" {inner.name}" if inner.name else "")
-    return TableRow(
-        (
-            Cell(),
-            Cell(),
-            *setting_cells(inner, subindex_name, marks, restart=False),
-            Cell(),
-            Cell(),
-            meaning_cell(context, inner, inner.value, *special),
-            sources(inner),
-        ),
-        inner.place.path,
+    return fact_row(
+        inner,
+        Cell(),
+        Cell(),
+        *setting_cells(inner, subindex_name, marks, restart=False),
+        Cell(),
+        Cell(),
+        meaning_cell(context, inner, inner.value, *special),
         element=True,
     )

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.address_space import BIT, AddressSpace
 from fieldspec.language.model.registers import Gap, Register, RegisterGroup
-from fieldspec.targets.docs.context import Context, address, cited, names, sources
+from fieldspec.targets.docs.context import Context, address, cited, fact_row, names
 from fieldspec.targets.docs.document import (
     Cell,
     Facts,
@@ -78,16 +78,13 @@ def _gaps(gaps: tuple[Gap, ...]) -> Iterator[tuple[str, tuple[Line, ...]]]:
 
 
 def _rows(context: Context, register: Register, marks: Inferences, restart: bool) -> Iterator[TableRow]:
-    yield TableRow(
-        (
-            cell("" if register.number is None else str(register.number)),
-            _address(register, context.device.space(register.space).first_number),
-            cell(str(register.width)),
-            *setting_cells(register, register.name, marks, restart),
-            meaning_cell(context, register, register.value, *_special(register)),
-            sources(register),
-        ),
-        register.place.path,
+    yield fact_row(
+        register,
+        cell("" if register.number is None else str(register.number)),
+        _address(register, context.device.space(register.space).first_number),
+        cell(str(register.width)),
+        *setting_cells(register, register.name, marks, restart),
+        meaning_cell(context, register, register.value, *_special(register)),
     )
     if register.count > 1:
         first = context.device.space(register.space).first_number
@@ -164,18 +161,15 @@ def spaces(context: Context) -> Section:
 
 def _space_row(context: Context, space: AddressSpace, marks: Inferences) -> TableRow:
     bounds = joined(((code(f"{address(low)}..{address(high)}"),) for low, high in space.bounds.intervals), ", ")
-    return TableRow(
-        (
-            names(space, space.name, mark=marks.all_marks(space.inferred)),
-            cell(f"a {space.unit}"),
-            cell(bounds),
-            cell(str(space.first_number)),
-            cell(_space_messages(context, space, "read")),
-            cell(_space_messages(context, space, "write")),
-            cell(*context.about(space)),
-            sources(space),
-        ),
-        space.place.path,
+    return fact_row(
+        space,
+        names(space, space.name, mark=marks.all_marks(space.inferred)),
+        cell(f"a {space.unit}"),
+        cell(bounds),
+        cell(str(space.first_number)),
+        cell(_space_messages(context, space, "read")),
+        cell(_space_messages(context, space, "write")),
+        cell(*context.about(space)),
     )
 
 

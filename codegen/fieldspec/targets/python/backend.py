@@ -1,24 +1,24 @@
-"""The files of the Python output."""
+"""The files of the Python output, and the data for the choice by firmware in a generated package."""
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from functools import partial
 from typing import Any
 
-from fieldspec.codec.layout.detection import version_lines
+from fieldspec.codec.layout.detection import version_detection, version_lines
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.targets.fact_texts import sentence
+from fieldspec.targets.fact_texts import detection_text, sentence
 from fieldspec.targets.pieces import piece, version_piece
 from fieldspec.targets.python.client import client_view
 from fieldspec.targets.python.codecs import codec_modules
-from fieldspec.targets.python.detection import detection_view
 from fieldspec.targets.python.device import device_view
 from fieldspec.targets.python.imports import client_imports, imports_view
 from fieldspec.targets.python.naming import Scope, module_name, package_name
 from fieldspec.targets.python.parts import all_words, defined_names, divided, part_imports, words_of
-from fieldspec.targets.python.text import docstring, literal
+from fieldspec.targets.python.text import WIDTH, docstring, literal
 from fieldspec.targets.python.usages import usage_rows
 from fieldspec.targets.python.usages import usages as usages
 from fieldspec.targets.templates import fill, text
@@ -210,3 +210,27 @@ def _client(layout: DeviceLayout, path: str, module: str, view: Mapping[str, Any
         return {}
     body = fill("python/client.py.j2", view=client)
     return {path: fill("python/client_module.py.j2", view=client, body=body, imports=client_imports(all_words(body)))}
+
+
+def detection_view(layout: DeviceLayout) -> dict[str, Any]:
+    """The data for the choice by firmware: the path as a literal, the argument's type, and the meaning of a number.
+
+    `fact` is empty where no line states what tells its version; `reads` says whether a value is more than a text.
+    """
+    stated = layout.device.detection
+    detection = version_detection(layout.device)
+    if detection is None or stated is None:
+        return {"fact": "", "type": "str", "doc": [], "named": [], "reads": False}
+    detected_values = [
+        (literal(value) if isinstance(value, str) else str(value), literal(version))
+        for value, version in detection.named
+    ]
+    return {
+        "fact": literal(detection.fact),
+        "type": "str | int" if detection.takes_numbers else "str",
+        "doc": textwrap.wrap(detection_text(stated), WIDTH - 4),
+        "named": detected_values,
+        "form": literal(detection.form),
+        "places": detection.places,
+        "reads": detection.reads_values,
+    }

@@ -77,6 +77,7 @@ class Dialect(Protocol):
 
     def bit(self, word: str, place: int) -> str:
         """Whether a bit of an unsigned number is 1."""
+        return self.mask(word, 1 << place)
 
     def mask(self, word: str, mask: int) -> str:
         """Whether one of some bits of an unsigned number is 1."""
@@ -140,6 +141,8 @@ class Dialect(Protocol):
 
     def units(self, data: str, offset: int, unit: int) -> str:
         """The whole units of bytes from an offset to the end."""
+        rest = f"({self.size(data)} - {offset})"
+        return f"({rest} // {unit})" if unit > 1 else rest
 
     def each(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
         """The list of what `body` says of each element; without a count, of all elements to the end."""

@@ -67,9 +67,6 @@ class Polars(Dialect):
         runs = ", ".join(f"({run.first}, {run.width}, {run.weight})" for run in bit.runs)
         return f"_bits(_bits_apart({word}, [{runs}]), 0, {bit.width}, {bit.signed})"
 
-    def bit(self, word: str, place: int) -> str:
-        return self.mask(word, 1 << place)
-
     def mask(self, word: str, mask: int) -> str:
         return f"_any_bit({word}, {mask:#x})"
 
@@ -134,9 +131,6 @@ class Polars(Dialect):
 
     def negated(self, condition: str) -> str:
         return f"~{condition}"
-
-    def units(self, data: str, offset: int, unit: int) -> str:
-        return f"((_size({data}) - {offset}) // {unit})" if unit > 1 else f"(_size({data}) - {offset})"
 
     def each(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
         return f"_each({data}, {offset}, {size}, {count}, {body(ELEMENT)})"

@@ -166,9 +166,6 @@ class Sql(Dialect):
         half = 1 << (width - 1)
         return f"(xor({number}::BIGINT, {half}) - {half})::{type_of(size, True)}"
 
-    def bit(self, word: str, place: int) -> str:
-        return self.mask(word, 1 << place)
-
     def mask(self, word: str, mask: int) -> str:
         return f"({word} & {mask}) <> 0"
 
@@ -258,9 +255,6 @@ class Sql(Dialect):
 
     def negated(self, condition: str) -> str:
         return f"NOT {condition}"
-
-    def units(self, data: str, offset: int, unit: int) -> str:
-        return f"((octet_length({data}) - {offset}) // {unit})" if unit > 1 else f"(octet_length({data}) - {offset})"
 
     def each(self, data: str, offset: int, size: int, count: int | None, body: Body) -> str:
         number = self.units(data, offset, size) if count is None else str(count)

@@ -1,7 +1,9 @@
-"""The files of a TwinCAT 3 project: one for each type, list of constants and function."""
+"""The files of a TwinCAT 3 project: one for each type, list of constants and function, the project, and its tasks."""
 
 from __future__ import annotations
 
+import re
+import uuid
 from collections.abc import Iterator, Sequence
 
 from fieldspec.codec.layout.device import DeviceLayout
@@ -17,7 +19,6 @@ from fieldspec.targets.controllers.structured.layout_table import layout_table
 from fieldspec.targets.controllers.structured.objects import Item
 from fieldspec.targets.controllers.structured.program import Program, newest, origin, program
 from fieldspec.targets.controllers.structured.program import refusals as program_refusals
-from fieldspec.targets.twincat.project import Task, comments, identifier, project_file, task_file
 
 LIBRARIES = (("Tc2_SerialCom", "ComBuffer"), ("Tc2_ModbusRTU", "ModbusRtuMaster"))
 """The libraries of adapters, and types of each by which its use is known."""
@@ -139,3 +140,84 @@ def inclusion(items: Sequence[Item]) -> str:
             "  </Compile>",
         ]
     return "\n".join([*lines, "</ItemGroup>"]) + "\n"
+
+
+# An identifier that is made of a name is the same in every build, and differs where names differ.
+_SPACE = uuid.uuid5(uuid.NAMESPACE_DNS, "twincat.fieldspec")
+_PROPERTIES = (
+    "Application",
+    "TypeSystem",
+    "Implicit_Task_Info",
+    "Implicit_KindOfTask",
+    "Implicit_Jitter_Distribution",
+    "LibraryReferences",
+)
+"""Parts of a project that have a GUID each."""
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A task: its cycle in microseconds, its priority, and the programs that it calls."""
+
+    name: str
+    cycle: int
+    priority: int
+    programs: Sequence[str]
+
+
+def identifier(name: str) -> str:
+    """The GUID of an object: names are unique in a project, whatever the case of their letters."""
+    return f"{{{uuid.uuid5(_SPACE, name.lower())}}}"
+
+
+def task_file(project: str, task: Task) -> str:
+    """The file of a task."""
+    return "\n".join(
+        [
+            f'{BYTE_ORDER_MARK}<?xml version="1.0" encoding="utf-8"?>',
+            '<TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.0">',
+            f'  <Task Name="{task.name}" Id="{identifier(f"{project} task {task.name}")}">',
+            f"    <CycleTime>{task.cycle}</CycleTime>",
+            f"    <Priority>{task.priority}</Priority>",
+            *(f"    <PouCall>\n      <Name>{name}</Name>\n    </PouCall>" for name in task.programs),
+            "  </Task>",
+            "</TcPlcObject>\n",
+        ]
+    )
+
+
+def comments(lines: Sequence[str]) -> list[str]:
+    """Lines as comments of XML, which have no two hyphens in a row, and none at their end."""
+    return [f"<!-- {re.sub('-(?=-|$)', '- ', line)} -->" for line in lines]
+
+
+def project_file(name: str, remarks: Sequence[str], items: str, tasks: Sequence[str], libraries: Sequence[str]) -> str:
+    """The project: what it is of, its objects, the tasks that call programs, and the libraries that adapters need."""
+    group = items.partition("<ItemGroup>\n")[2].rpartition("</ItemGroup>")[0].replace("\n", "\n  ")
+    lines = [
+        f'{BYTE_ORDER_MARK}<?xml version="1.0" encoding="utf-8"?>',
+        '<Project DefaultTargets="Build" xmlns="http://schemas.microsoft.com/developer/msbuild/2003">',
+        *(f"  {line}" for line in comments(remarks)),
+        "  <PropertyGroup>",
+        "    <FileVersion>1.0.0.0</FileVersion>",
+        "    <SchemaVersion>2.0</SchemaVersion>",
+        f"    <ProjectGuid>{identifier(f'{name} project')}</ProjectGuid>",
+        f"    <Name>{name}</Name>",
+        "    <ProgramVersion>3.1.4024.0</ProgramVersion>",
+        *(f"    <{part}>{identifier(f'{name} {part}')}</{part}>" for part in _PROPERTIES),
+        "    <GenerateTpy>false</GenerateTpy>",
+        "  </PropertyGroup>",
+        "  <ItemGroup>",
+        f"  {group.rstrip()}",
+    ]
+    for task in tasks:
+        lines += [f'    <Compile Include="{task}.TcTTO">', "      <SubType>Code</SubType>", "    </Compile>"]
+    lines += ["  </ItemGroup>", "  <ItemGroup>"]
+    for library in libraries:
+        lines += [
+            f'    <PlaceholderReference Include="{library}">',
+            f"      <DefaultResolution>{library}, * (Beckhoff Automation GmbH)</DefaultResolution>",
+            f"      <Namespace>{library}</Namespace>",
+            "    </PlaceholderReference>",
+        ]
+    return "\n".join([*lines, "  </ItemGroup>", "</Project>"]) + "\n"

@@ -6,13 +6,12 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby, takewhile
 
 import numpy as np
-import numpy.typing as npt
 
 from fieldspec.codec.layout.inner_lists import InnerList
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import WidthError, extents, image_of, image_with_counts
 from fieldspec.foundation.classes import dataclass
-from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, spread
+from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, Verdicts, number_at, spread
 from fieldspec.tools.captures.decoders import Decoders, ValueColumns
 from fieldspec.tools.captures.part_numbers import field_numbers
 from fieldspec.tools.captures.presences import has_element, is_met, presence_bits
@@ -44,7 +43,7 @@ class Rooms:
     """
 
     items: dict[str, Numbers]
-    verdicts: dict[str, npt.NDArray[np.int8]]
+    verdicts: dict[str, Verdicts]
 
 
 UNKNOWN, MISCOUNT = -2, -1
@@ -84,7 +83,7 @@ class BodyReader:
         self.chosen = {id(choice): BodyReader(choice, decoders, emits) for choice in record.chosen.values()}
 
     def read(
-        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: Verdicts
     ) -> Iterator[tuple[Numbers, FieldRows]]:
         """Judges bodies of `size` bytes from `at` on, and yields their fields with the rows of the bodies.
 
@@ -117,7 +116,7 @@ class BodyReader:
         blame(verdict, ~decided, UNKNOWN_VALUE)
 
     def _images(
-        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: Verdicts
     ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
         """The images of bodies whose values vary in width, where each begins, and how far it goes."""
         images: list[bytes] = []
@@ -135,7 +134,7 @@ class BodyReader:
         return *_joined(images), sizes, None
 
     def _list_images(
-        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
+        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: Verdicts
     ) -> tuple[Bytes, Numbers, Numbers, Rooms | None]:
         """The same of bodies with fields after lists; and what is known of these."""
         images: list[bytes] = []
@@ -173,12 +172,7 @@ class BodyReader:
         return *_joined(images), sizes, Rooms(rooms, verdicts)
 
     def _fields(
-        self,
-        buffer: Bytes,
-        offsets: Numbers,
-        size: Numbers,
-        verdict: npt.NDArray[np.int8],
-        rooms: Rooms | None = None,
+        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: Verdicts, rooms: Rooms | None = None
     ) -> Iterator[tuple[Numbers, FieldRows]]:
         counts = {field.name: self._count(field, size) for field in self.record.fields}
         counts |= rooms.items if rooms is not None else {}
@@ -211,7 +205,7 @@ class BodyReader:
                 self._end(size, counts, verdict)
         self._end(size, counts, verdict)
 
-    def _end(self, size: Numbers, counts: dict[str, Numbers], verdict: npt.NDArray[np.int8]) -> None:
+    def _end(self, size: Numbers, counts: dict[str, Numbers], verdict: Verdicts) -> None:
         """Judges the size of bodies, when their last field has been read."""
         end = np.zeros(len(size), np.int64)
         for field in self.record.fields:
@@ -230,13 +224,7 @@ class BodyReader:
         return np.minimum((size - field.offset) // field.size, repeat.high)
 
     def _slot(
-        self,
-        slot: Slot,
-        buffer: Bytes,
-        offsets: Numbers,
-        rows: Numbers,
-        index: Numbers | None,
-        verdict: npt.NDArray[np.int8],
+        self, slot: Slot, buffer: Bytes, offsets: Numbers, rows: Numbers, index: Numbers | None, verdict: Verdicts
     ) -> Iterator[tuple[int, Numbers, FieldRows]]:
         """The values of a slot, each with the number of its element in a list of free length."""
         layout, value = slot.layout, slot.layout.value
@@ -283,13 +271,7 @@ class BodyReader:
                 values.verdict[row] = UNKNOWN_VALUE
 
     def _measure(
-        self,
-        slot: Slot,
-        buffer: Bytes,
-        offsets: Numbers,
-        size: Numbers,
-        counts: dict[str, Numbers],
-        verdict: npt.NDArray[np.int8],
+        self, slot: Slot, buffer: Bytes, offsets: Numbers, size: Numbers, counts: dict[str, Numbers], verdict: Verdicts
     ) -> None:
         """Judges a field that measures another one, or is the number of bits that are packed into it; and one
         whose bits say how many elements others have.
@@ -324,13 +306,7 @@ class BodyReader:
         blame(verdict, (number != expected) & (slot.offset + slot.layout.size <= size), WRONG_MEASURE)
 
     def _judge_presence(
-        self,
-        slot: Slot,
-        buffer: Bytes,
-        offsets: Numbers,
-        size: Numbers,
-        counts: dict[str, Numbers],
-        verdict: npt.NDArray[np.int8],
+        self, slot: Slot, buffer: Bytes, offsets: Numbers, size: Numbers, counts: dict[str, Numbers], verdict: Verdicts
     ) -> None:
         for other in self.record.fields if slot.layout is slot.field else ():
             presence = other.presence
@@ -364,11 +340,11 @@ def values_at(values: ValueColumns, rows: Numbers | Mask) -> ValueColumns:
     return ValueColumns(*(getattr(values, name)[rows] for name in names))
 
 
-def blame(verdict: npt.NDArray[np.int8], rows: Mask, number: int) -> None:
+def blame(verdict: Verdicts, rows: Mask, number: int) -> None:
     """Gives frames a verdict that have none other yet."""
     verdict[rows & (verdict == OK)] = number
 
 
-def blame_rows(verdict: npt.NDArray[np.int8], rows: Numbers, number: int) -> None:
+def blame_rows(verdict: Verdicts, rows: Numbers, number: int) -> None:
     """The same for rows."""
     verdict[rows[verdict[rows] == OK]] = number

@@ -14,6 +14,7 @@ Bytes: TypeAlias = npt.NDArray[np.uint8]
 Numbers: TypeAlias = npt.NDArray[np.int64]
 Codes: TypeAlias = npt.NDArray[np.uint64]
 Mask: TypeAlias = npt.NDArray[np.bool_]
+Verdicts: TypeAlias = npt.NDArray[np.int8]
 Texts: TypeAlias = npt.NDArray[np.int32]
 """Places in a list of texts; -1 means that there is no text."""
 

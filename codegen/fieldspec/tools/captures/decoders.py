@@ -28,7 +28,7 @@ from fieldspec.language.model.encoding import (
 )
 from fieldspec.language.model.text_form import decoded_text
 from fieldspec.language.model.value import Value
-from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, Texts, number_at
+from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, Texts, Verdicts, number_at
 from fieldspec.tools.captures.meanings import Counts, Meanings, passing
 from fieldspec.tools.captures.text_list import TextList
 from fieldspec.tools.captures.verdicts import (
@@ -51,7 +51,7 @@ class ValueColumns:
     quantity: npt.NDArray[np.float64]
     has_quantity: Mask
     text: Texts
-    verdict: npt.NDArray[np.int8]
+    verdict: Verdicts
 
     @staticmethod
     def empty(rows: int) -> ValueColumns:
@@ -93,7 +93,7 @@ class Decoder:
         self.factor = scale[0] * offset[1]
         self.summand = offset[0] * scale[1]
         self.divisor = scale[1] * offset[1]
-        self._table: tuple[Texts, npt.NDArray[np.int8], Mask] | None = None
+        self._table: tuple[Texts, Verdicts, Mask] | None = None
         self._meanings = Meanings(device, value, texts)
 
     def decode(self, buffer: Bytes, offsets: Numbers) -> ValueColumns:

@@ -12,7 +12,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.address_space import BIT
-from fieldspec.tools.captures.columns import Numbers, Texts, gathered, numbers, runs
+from fieldspec.tools.captures.columns import Numbers, Texts, Verdicts, gathered, numbers, runs
 from fieldspec.tools.captures.cutting import Cutter
 from fieldspec.tools.captures.decoders import Decoders, ValueColumns
 from fieldspec.tools.captures.detection import Detection
@@ -49,7 +49,7 @@ class FrameTable:
     count: Numbers
     request: Numbers
     delay: Numbers
-    verdict: npt.NDArray[np.int8]
+    verdict: Verdicts
     bytes: tuple[npt.NDArray[np.uint8], Numbers]
     data: tuple[npt.NDArray[np.uint8], Numbers]
     has_data: npt.NDArray[np.bool_]

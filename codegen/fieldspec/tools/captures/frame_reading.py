@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
 from fieldspec.codec.explain.row import unwrapped
 from fieldspec.codec.layout.device import DeviceLayout
@@ -16,7 +15,7 @@ from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.language.model.link import ExceptionResponse
 from fieldspec.tools.captures.bodies import BodyReader, FieldRows, blame
 from fieldspec.tools.captures.checksums import are_right
-from fieldspec.tools.captures.columns import Bytes, Codes, Mask, Numbers, code_at, numbers, runs
+from fieldspec.tools.captures.columns import Bytes, Codes, Mask, Numbers, Verdicts, code_at, numbers, runs
 from fieldspec.tools.captures.decoders import Decoders
 from fieldspec.tools.captures.meanings import is_in
 from fieldspec.tools.captures.part_numbers import lacks_digits, part_numbers
@@ -58,7 +57,7 @@ class ReadFrames:
     at: Numbers
     length: Numbers
     sent: Spans
-    verdict: npt.NDArray[np.int8]
+    verdict: Verdicts
     unit_address: Numbers
     code: Numbers
     is_refused: Mask
@@ -120,9 +119,7 @@ class FrameReader:
             self._part(part, frames, request_messages, judges_body)
         return frames
 
-    def _unwrapped(
-        self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: npt.NDArray[np.int8]
-    ) -> tuple[Spans, Spans]:
+    def _unwrapped(self, buffer: Bytes, offsets: Numbers, size: Numbers, verdict: Verdicts) -> tuple[Spans, Spans]:
         """The parts of frames with delimiters, characters or escapes, one by one, and these parts as they are sent."""
         originals, pieces = [], []
         own = self.link.link

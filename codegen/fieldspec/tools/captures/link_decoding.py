@@ -12,7 +12,7 @@ from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.record import FieldLayout
 from fieldspec.codec.layout.repeated_parts import repeated_parts
 from fieldspec.foundation.classes import dataclass
-from fieldspec.tools.captures.columns import Mask, Numbers, number_at, numbers, runs
+from fieldspec.tools.captures.columns import Mask, Numbers, Verdicts, number_at, numbers, runs
 from fieldspec.tools.captures.cutting import Cutter, Piece
 from fieldspec.tools.captures.frame_reading import FrameReader, ReadFrames
 from fieldspec.tools.captures.pairing import NO_EXCHANGES, NONE, Exchanges, joined, paired, still_open
@@ -299,7 +299,7 @@ class _Rows:
     def __init__(self, payloads: Payloads, noise: Mask) -> None:
         size = len(payloads)
         self.payloads, self.noise = payloads, noise
-        self.verdict: npt.NDArray[np.int8] = np.zeros(size, np.int8)
+        self.verdict: Verdicts = np.zeros(size, np.int8)
         none = (np.full(size, NONE) for _ in range(12))
         self.parts, self.body, self.unit_address, self.code, self.message, self.address, self.count = (
             next(none) for _ in range(7)

@@ -26,12 +26,12 @@ from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
 from fieldspec.language.model.value import Value
-from fieldspec.tools.captures.columns import Mask, Numbers, Texts
+from fieldspec.tools.captures.columns import Mask, Numbers, Texts, Verdicts
 from fieldspec.tools.captures.text_list import TextList
 from fieldspec.tools.captures.verdicts import OK, UNLISTED_BITS, UNLISTED_MEMBER, VERDICT_NUMBERS, WRONG_CONST
 
 Counts = Numbers | npt.NDArray[np.int64] | npt.NDArray[np.uint64]
-Verdicts = npt.NDArray[np.int8]
+Verdicts = Verdicts
 
 SEGMENT = 8
 """The bits of a word that are named at once, as far as they are not of one field."""

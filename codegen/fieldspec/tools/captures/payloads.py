@@ -9,9 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.tools.captures.columns import NO_TIME, Bytes, Mask, Numbers, gathered, numbers
+from fieldspec.tools.captures.columns import NO_TIME, Bytes, Mask, Numbers, Verdicts, gathered, numbers
 
-Carriers: TypeAlias = npt.NDArray[np.int8]
+Carriers: TypeAlias = Verdicts
 
 REQUEST, RESPONSE, UNKNOWN = 0, 1, -1
 """The direction of a payload."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from fieldspec.tools.live.access import Access
 from fieldspec.tools.live.messages import ParameterAssignment, Signal, SignalReading
@@ -11,11 +11,22 @@ from fieldspec.tools.live.messages import ParameterAssignment, Signal, SignalRea
 if TYPE_CHECKING:
     from typing import Any
 
-    from fieldspec.language.model.value import Value
-    from fieldspec.tools.live.access import Assignment, DumpRow, Item, Reading
+    from fieldspec.tools.live.access import DumpRow, Item, Reading
     from fieldspec.tools.live.client import Client
     from fieldspec.tools.live.parameter_access import ParameterAccess
     from fieldspec.tools.live.register_access import RegisterAccess
+
+T = TypeVar("T")
+
+
+def _of_owner(method: Callable[..., T], place: int = 0) -> Callable[..., T]:
+    """A method that the access of its argument at a place answers, an item, a value or an assignment."""
+
+    def answered(self: JointAccess, *arguments: Any) -> T:
+        own: T = getattr(self._owner(arguments[place]), method.__name__)(*arguments)
+        return own
+
+    return answered
 
 
 class JointAccess(Access):
@@ -35,14 +46,21 @@ class JointAccess(Access):
     def _free(self, items: Iterable[Signal]) -> list[Signal]:
         return [item for item in items if item.path not in self._taken]
 
-    def heading(self, value: Reading) -> str:
-        return self._owner(value).heading(value)
-
-    def number(self, value: Reading) -> int | None:
-        return self._owner(value).number(value)
-
-    def number_text(self, value: Reading) -> str:
-        return self._owner(value).number_text(value)
+    heading = _of_owner(Access.heading)
+    number = _of_owner(Access.number)
+    number_text = _of_owner(Access.number_text)
+    path = _of_owner(Access.path)
+    value = _of_owner(Access.value)
+    objection = _of_owner(Access.objection)
+    assignment = _of_owner(Access.assignment)
+    intended = _of_owner(Access.intended)
+    signals = _of_owner(Access.signals)
+    item = _of_owner(Access.item)
+    words_of = _of_owner(Access.words_of)
+    address_register = _of_owner(Access.address_register)
+    frame = _of_owner(Access.frame, 1)
+    write = _of_owner(Access.write, 1)
+    read_back = _of_owner(Access.read_back, 1)
 
     def dump_rows(self, items: Sequence[Item], values: Sequence[Any]) -> list[DumpRow]:
         rows: list[DumpRow] = []
@@ -53,12 +71,6 @@ class JointAccess(Access):
 
     def items(self) -> Sequence[Item]:
         return [*self._registers.items(), *self._free(self._parameters.items())]
-
-    def path(self, item: Item) -> str:
-        return self._owner(item).path(item)
-
-    def value(self, item: Item) -> Value:
-        return self._owner(item).value(item)
 
     def named(self, name: str) -> list[Item]:
         return [*self._registers.named(name), *self._free(self._parameters.named(name))]
@@ -75,21 +87,12 @@ class JointAccess(Access):
         texts = [f"not read, as registers have their names: {', '.join(hidden)}"] * bool(hidden)
         return [*self._parameters.remarks(names), *texts]
 
-    def objection(self, item: Item) -> str:
-        return self._owner(item).objection(item)
-
-    def assignment(self, item: Item, text: str) -> Assignment:
-        return self._owner(item).assignment(item, text)
-
     def together(self, chosen: Sequence[Any]) -> tuple[list[Any], dict[str, str]]:
         registers, reasons = self._registers.together([own for own in chosen if self._owner(own) is self._registers])
         merged = iter(registers)
         return [
             next(merged) if self._owner(own) is self._registers else own for own in chosen if own.path not in reasons
         ], reasons
-
-    def intended(self, chosen: Any) -> Reading:
-        return self._owner(chosen).intended(chosen)
 
     def size(self, items: Iterable[Item]) -> int:
         parts = list(items)
@@ -106,24 +109,3 @@ class JointAccess(Access):
             chosen = [item for item in items if self._owner(item) is access]
             values |= {value.path: value for value in access.read(client, chosen, done)}
         return (values[self.path(item)] for item in items)
-
-    def frame(self, client: Client, chosen: Any) -> bytes:
-        return self._owner(chosen).frame(client, chosen)
-
-    def address_register(self, chosen: Any) -> str:
-        return self._owner(chosen).address_register(chosen)
-
-    def write(self, client: Client, chosen: Any) -> None:
-        self._owner(chosen).write(client, chosen)
-
-    def read_back(self, client: Client, chosen: Any) -> Reading | None:
-        return self._owner(chosen).read_back(client, chosen)
-
-    def signals(self, item: Item, roles: Sequence[str]) -> Iterator[tuple[str, int]]:
-        return self._owner(item).signals(item, roles)
-
-    def item(self, chosen: Any) -> Item:
-        return self._owner(chosen).item(chosen)
-
-    def words_of(self, value: Any, text: str) -> tuple[int, ...]:
-        return self._owner(value).words_of(value, text)

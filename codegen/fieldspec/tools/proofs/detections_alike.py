@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from fieldspec.codec.layout.detection import detecting_fact
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import Orders, RecordLayout
-from fieldspec.language.checks.finding import finding, hexadecimal, label
+from fieldspec.language.checks.finding import finding_of, hexadecimal, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.registers import Parameter, Register
@@ -41,7 +41,7 @@ def detections_alike(layouts: Mapping[str, DeviceLayout]) -> Iterator[Diagnostic
             text += f", and {known[key]} in {versions[-1]}: a program reads it before it knows the version"
             fact = detecting_fact(layout.device, detection)
             labels = [label(fact.place, "name", f"in {version}")] if fact is not None else []
-            yield finding(_CODE, detection.place, "fact", text, _HELP, *labels)
+            yield finding_of(_CODE, detection.place, "fact", text, _HELP, *labels)
             return
 
 

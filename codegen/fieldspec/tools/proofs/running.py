@@ -9,7 +9,6 @@ from fieldspec.codec.explain.examples import explained_anew
 from fieldspec.codec.layout.device import DeviceLayout, device_layout
 from fieldspec.codec.layout.package_codecs import coded_facts
 from fieldspec.foundation.classes import dataclass, replace
-from fieldspec.language import checks
 from fieldspec.language.behaviour.findings import findings as behaviour_findings
 from fieldspec.language.checks.finding import allowances, enumeration
 from fieldspec.language.checks.layout_conditions import LAYOUT_CONDITIONS
@@ -39,8 +38,8 @@ def accepted(spec: DeviceSpec) -> list[Diagnostic]:
     """The findings of the acceptances of versions; the acceptances of the spec are judged by a comparison with it."""
     if not any("accepts" in tree.values for tree in (spec.tree, *spec.trees.values())):
         return []
-    from fieldspec.language.changes import RULES
     from fieldspec.language.changes.acceptances import accepts_used, rules_known
+    from fieldspec.language.changes.table import RULES
 
     devices = {version: spec.at(version)[0] for version in spec.versions()}
     rules = {name for name, _, _ in RULES}
@@ -49,8 +48,8 @@ def accepted(spec: DeviceSpec) -> list[Diagnostic]:
 
 
 def _steps(spec: DeviceSpec, devices: Mapping[str, Device]) -> Iterator[ComparedVersions]:
-    from fieldspec.language.changes import changes
     from fieldspec.language.changes.acceptances import ComparedVersions
+    from fieldspec.language.changes.table import changes
 
     for version, new in devices.items():
         before = previous(spec, version)
@@ -80,7 +79,9 @@ def findings(device: Device, name: str, remembered: FindingsCache) -> list[Diagn
     if name in READING_PROOFS:
         return []
     if name not in EXAMPLE_PROOFS:
-        return checks.run_named(device, name)
+        from fieldspec.language.checks.table import run_named
+
+        return run_named(device, name)
     return [finding for finding in remembered.findings(device) if finding.code == name]
 
 
@@ -96,7 +97,9 @@ def everything(
     `broken` are the findings of reading, which come first. Without `examples`, examples are not proven.
     `remembered` caches the findings of examples. `without` names the checks to leave out.
     """
-    findings = [*broken, *checks.run(device, without)]
+    from fieldspec.language.checks.table import run  # with all checks, which other users of this module do not need
+
+    findings = [*broken, *run(device, without)]
     if not examples or has_errors(broken) or any(finding.code in LAYOUT_CONDITIONS for finding in findings):
         return findings
     return [*findings, *(remembered or FindingsCache()).findings(device, sound=True), *codec_exemplified(device)]
@@ -104,8 +107,9 @@ def everything(
 
 def known() -> frozenset[str]:
     """The names of all checks that an erratum may name as its proof."""
-    names = [*(name for name, _ in checks.CHECKS), *checks.INSTALLED, *EXAMPLE_PROOFS, *READING_PROOFS]
-    return frozenset(names)
+    from fieldspec.language.checks.table import CHECKS, INSTALLED
+
+    return frozenset([*(name for name, _ in CHECKS), *INSTALLED, *EXAMPLE_PROOFS, *READING_PROOFS])
 
 
 def errata_proofs(spec: DeviceSpec) -> list[Proof]:

@@ -28,7 +28,7 @@ def register_moved(comparison: Comparison) -> Iterator[Change]:
         if pair.old.address != pair.new.address:
             old, new = hexadecimal(pair.old.address), hexadecimal(pair.new.address)
             text = f"{named(pair.new)} is at {new}, and was at {old}"
-            yield change("register_moved", Effect.WIRE, pair, "at", text, old, new)
+            yield change(Effect.WIRE, pair, "at", text, old, new)
 
 
 def table_moved(comparison: Comparison) -> Iterator[Change]:
@@ -45,11 +45,9 @@ def table_moved(comparison: Comparison) -> Iterator[Change]:
         if pair.old.base != pair.new.base:
             old, new = hexadecimal(pair.old.base), hexadecimal(pair.new.base)
             text = f"{named(pair.new)} begins at {new}, and began at {old}"
-            yield change("table_moved", Effect.WIRE, pair, "base", text, old, new)
+            yield change(Effect.WIRE, pair, "base", text, old, new)
         old = comparison.renamed_to("registers", pair.old.base_by) if pair.old.base_by else ""
-        yield from changed(
-            "table_moved", Effect.WIRE, pair, "base_by", "the register of its address", old, pair.new.base_by
-        )
+        yield from changed(Effect.WIRE, pair, "base_by", "the register of its address", old, pair.new.base_by)
 
 
 def stride_changed(comparison: Comparison) -> Iterator[Change]:
@@ -65,9 +63,7 @@ def stride_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.any_of(Register, Table):
         old, new = pair.old.stride, pair.new.stride
         if old != new and min(pair.old.count, pair.new.count) > 1:
-            yield from changed(
-                "stride_changed", Effect.WIRE, pair, "stride", "the distance of its elements in words", old, new
-            )
+            yield from changed(Effect.WIRE, pair, "stride", "the distance of its elements in words", old, new)
 
 
 def index_changed(comparison: Comparison) -> Iterator[Change]:
@@ -82,14 +78,12 @@ def index_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.any_of(Register, Table):
         old, new = pair.old.index_from, pair.new.index_from
-        yield from changed(
-            "index_changed", Effect.WIRE, pair, "index_from", "the number of the first element", old, new
-        )
+        yield from changed(Effect.WIRE, pair, "index_from", "the number of the first element", old, new)
     for inner in comparison.of(Subindex):
         if inner.old.indices != inner.new.indices:
             text = f"{named(inner.new)}: {difference_text('the sub-index', inner.old.indices, inner.new.indices)}"
             effect = Effect.DOCS if inner.old.reserved and inner.new.reserved else Effect.WIRE
-            yield change("index_changed", effect, inner, "index", text, inner.old.indices, inner.new.indices)
+            yield change(effect, inner, "index", text, inner.old.indices, inner.new.indices)
 
 
 def number_changed(comparison: Comparison) -> Iterator[Change]:
@@ -104,14 +98,14 @@ def number_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.of(Parameter):
         effect = Effect.DOCS if pair.old.reserved and pair.new.reserved else Effect.WIRE
-        yield from changed("number_changed", effect, pair, "number", "the number", pair.old.number, pair.new.number)
+        yield from changed(effect, pair, "number", "the number", pair.old.number, pair.new.number)
     for set_pair in comparison.of(ParameterSet):
         space = set_pair.new.name if set_pair.old.space == set_pair.old.name else set_pair.old.space
         for key, subject, before, after in (
             ("base", "what is added to its numbers", set_pair.old.base, set_pair.new.base),
             ("space", "the space of its numbers", space, set_pair.new.space),
         ):
-            yield from changed("number_changed", Effect.WIRE, set_pair, key, subject, before, after)
+            yield from changed(Effect.WIRE, set_pair, key, subject, before, after)
 
 
 _OF_SPACE = (
@@ -141,7 +135,7 @@ def space_changed(comparison: Comparison) -> Iterator[Change]:
     for space in comparison.of(AddressSpace):
         for key, subject, effect in _OF_SPACE:
             old, new = _space_value(space.old, key), _space_value(space.new, key)
-            yield from changed("space_changed", effect, space, key, subject, old, new)
+            yield from changed(effect, space, key, subject, old, new)
 
 
 def _space_value(space: AddressSpace, key: str) -> object:
@@ -152,4 +146,4 @@ def _space_value(space: AddressSpace, key: str) -> object:
 def _moved(comparison: Comparison, pair: Pair[Any], before: str, after: str, key: str) -> Iterator[Change]:
     old = comparison.renamed_to("spaces", comparison.old.space_name(before))
     new = comparison.new.space_name(after)
-    yield from changed("space_changed", Effect.WIRE, pair, key, "the address space", old, new)
+    yield from changed(Effect.WIRE, pair, key, "the address space", old, new)

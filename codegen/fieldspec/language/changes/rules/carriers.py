@@ -36,7 +36,7 @@ def serial_changed(comparison: Comparison) -> Iterator[Change]:
         before, after = pair.old.serial or _NONE, pair.new.serial or _NONE
         for key in _SERIAL_KEYS:
             old, new = getattr(before, key), getattr(after, key)
-            yield from changed("serial_changed", Effect.BEHAVIOUR, pair, "serial", key.replace("_", " "), old, new)
+            yield from changed(Effect.BEHAVIOUR, pair, "serial", key.replace("_", " "), old, new)
 
 
 def default_link_changed(comparison: Comparison) -> Iterator[Change]:
@@ -53,7 +53,7 @@ def default_link_changed(comparison: Comparison) -> Iterator[Change]:
             state = "the default link" if pair.new.is_default else "no longer the default link"
             text = f"{named(pair.new)} is {state}"
             old, new = pair.old.is_default, pair.new.is_default
-            yield change("default_link_changed", Effect.BEHAVIOUR, pair, "default", text, old, new)
+            yield change(Effect.BEHAVIOUR, pair, "default", text, old, new)
 
 
 _NO_NETWORK = Network(None, None, ())
@@ -72,7 +72,7 @@ def network_changed(comparison: Comparison) -> Iterator[Change]:
         before, after = pair.old.network or _NO_NETWORK, pair.new.network or _NO_NETWORK
         for key in ("tcp", "udp"):
             old, new = getattr(before, key), getattr(after, key)
-            yield from changed("network_changed", Effect.BEHAVIOUR, pair, "network", f"{key.upper()} port", old, new)
+            yield from changed(Effect.BEHAVIOUR, pair, "network", f"{key.upper()} port", old, new)
 
 
 def timing_changed(comparison: Comparison) -> Iterator[Change]:
@@ -88,6 +88,4 @@ def timing_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Link):
         for key, unit in (("silence_characters", "characters"), ("silence_milliseconds", "milliseconds")):
             old, new = getattr(pair.old, key), getattr(pair.new, key)
-            yield from changed(
-                "timing_changed", Effect.BEHAVIOUR, pair, "silence", "the silence between frames in " + unit, old, new
-            )
+            yield from changed(Effect.BEHAVIOUR, pair, "silence", "the silence between frames in " + unit, old, new)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from fieldspec.language.changes.attributes import ALL, PYTHON, C
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair, ValuePair
-from fieldspec.language.changes.descriptions import around, change, difference_text, kind, named, path, span
+from fieldspec.language.changes.descriptions import around, change, difference, difference_text, kind, named, path, span
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Enum, Member
 
@@ -37,9 +37,7 @@ def _compare_members(comparison: Comparison, differing: ValuePair | Pair[Bit], o
     differ = any(after[value] != name for value, name in before.items() if value in after)
     lost = bool(after) and any(value not in after for value in before)
     effect = Effect.WIRE if differ or lost else Effect.SOURCE
-    fact = differing.of.new if isinstance(differing, ValuePair) else differing.new
-    text = f"{named(fact)}: {difference_text('the enum', old, new)}"
-    yield change("enum_changed", effect, differing, "enum", text, old, new, ALL)
+    yield difference(effect, differing, "enum", "the enum", old, new, ALL)
 
 
 def _names(device: Device, name: str) -> dict[int, str]:
@@ -64,7 +62,6 @@ def member_added(comparison: Comparison) -> Iterator[Change]:
             member = unpaired.item
             text = f"{named(new)}: {member.name} ({member.value}) is new"
             yield Change(
-                "member_added",
                 Effect.DOCS if member.unavailable else Effect.BEHAVIOUR,
                 kind(member),
                 path(member, new),
@@ -93,7 +90,6 @@ def member_removed(comparison: Comparison) -> Iterator[Change]:
             member = unpaired.item
             text = f"{named(new)}: {member.name} ({member.value}) is gone"
             yield Change(
-                "member_removed",
                 Effect.DOCS if member.unavailable else Effect.WIRE,
                 kind(member),
                 path(member, old),
@@ -121,7 +117,7 @@ def member_renumbered(comparison: Comparison) -> Iterator[Change]:
         if old != new:
             text = f"{named(pair.containers[1])}: {named(pair.new)} is {new}, and was {old}"
             effect = Effect.DOCS if pair.old.unavailable and pair.new.unavailable else Effect.WIRE
-            yield change("member_renumbered", effect, pair, "value", text, old, new)
+            yield change(effect, pair, "value", text, old, new)
 
 
 def aliases_changed(comparison: Comparison) -> Iterator[Change]:
@@ -141,7 +137,7 @@ def aliases_changed(comparison: Comparison) -> Iterator[Change]:
             effect = Effect.SOURCE if lost else Effect.DOCS
             subject = f"{named(pair.containers[1])}: {named(pair.new)}"
             text = f"{subject}: {difference_text('what else it is called', old or None, new or None)}"
-            yield change("aliases_changed", effect, pair, "aliases", text, old, new, (PYTHON, C) if lost else ())
+            yield change(effect, pair, "aliases", text, old, new, (PYTHON, C) if lost else ())
 
 
 def openness_changed(comparison: Comparison) -> Iterator[Change]:
@@ -160,4 +156,4 @@ def openness_changed(comparison: Comparison) -> Iterator[Change]:
         if old != new:
             text = f"{named(pair.new)} {'passes on' if new else 'refuses'} values that it does not list"
             effect, outputs = (Effect.SOURCE, (PYTHON,)) if new else (Effect.BEHAVIOUR, ())
-            yield change("openness_changed", effect, pair, "open", text, old, new, outputs)
+            yield change(effect, pair, "open", text, old, new, outputs)

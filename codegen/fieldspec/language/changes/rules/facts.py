@@ -22,15 +22,16 @@ from fieldspec.language.model.texts import Example
 def device_added(device: Device) -> Change:
     """The change that a device is new."""
     text = f"the device {device.id} is new"
-    return Change("fact_added", Effect.BEHAVIOUR, "device", device.id, text, "", device.name, None, device.place["id"])
+    return Change(
+        Effect.BEHAVIOUR, "device", device.id, text, "", device.name, None, device.place["id"], rule="fact_added"
+    )
 
 
 def device_removed(device: Device) -> Change:
     """The change that a device is gone, with everything that is generated for it."""
     text = f"the device {device.id} is gone"
-    return Change(
-        "fact_removed", Effect.SOURCE, "device", device.id, text, device.name, "", device.place["id"], None, ALL
-    )
+    place = device.place["id"]
+    return Change(Effect.SOURCE, "device", device.id, text, device.name, "", place, None, ALL, rule="fact_removed")
 
 
 def fact_added(comparison: Comparison) -> Iterator[Change]:
@@ -51,9 +52,7 @@ def fact_added(comparison: Comparison) -> Iterator[Change]:
             continue
         text = f"the {kind(item)} {named(item)}{within(container)} is new"
         before, after = around(unpaired.containers[0], "name"), span(item, "name", container)
-        yield Change(
-            "fact_added", _effect(unpaired), kind(item), path(item, container), text, "", named(item), before, after
-        )
+        yield Change(_effect(unpaired), kind(item), path(item, container), text, "", named(item), before, after)
 
 
 def _effect(unpaired: Unpaired) -> Effect:
@@ -84,9 +83,7 @@ def fact_removed(comparison: Comparison) -> Iterator[Change]:
         effect, outputs = _removal_effect(unpaired)
         text = f"the {kind(item)} {named(item)}{within(container)} is gone"
         before, after = span(item, "name", container), around(unpaired.containers[1], "name")
-        yield Change(
-            "fact_removed", effect, kind(item), path(item, container), text, named(item), "", before, after, outputs
-        )
+        yield Change(effect, kind(item), path(item, container), text, named(item), "", before, after, outputs)
 
 
 def _removal_effect(unpaired: Unpaired) -> tuple[Effect, tuple[str, ...]]:
@@ -118,7 +115,7 @@ def renamed(comparison: Comparison) -> Iterator[Change]:
             effect, outputs = Effect.DOCS, ()
         place = within(renaming.pair.containers[1])
         text = f"the {kind(renaming.pair.new)} {old}{place} is called {new}; it has {renaming.evidence}"
-        yield change("renamed", effect, renaming.pair, "name", text, old, new, outputs)
+        yield change(effect, renaming.pair, "name", text, old, new, outputs)
 
 
 def _is_unnamed(comparison: Comparison, item: Any) -> bool:
@@ -148,7 +145,7 @@ def availability_changed(comparison: Comparison) -> Iterator[Change]:
         if old != new:
             effect, outputs = (Effect.SOURCE, ALL) if new else (Effect.BEHAVIOUR, ())
             text = f"{named(pair.new)} ({pair.new.value}) is {'not available any more' if new else 'available now'}"
-            yield change("availability_changed", effect, pair, "unavailable", text, not old, not new, outputs)
+            yield change(effect, pair, "unavailable", text, not old, not new, outputs)
 
 
 def applicability_changed(comparison: Comparison) -> Iterator[Change]:
@@ -166,7 +163,7 @@ def applicability_changed(comparison: Comparison) -> Iterator[Change]:
             old, new = getattr(pair.old, key), getattr(pair.new, key)
             if key == "messages":
                 old = tuple(comparison.renamed_to(key, name) for name in old)
-            yield from changed("applicability_changed", Effect.BEHAVIOUR, pair, key, subject, old, new)
+            yield from changed(Effect.BEHAVIOUR, pair, key, subject, old, new)
 
 
 def documentation_changed(comparison: Comparison) -> Iterator[Change]:
@@ -194,7 +191,7 @@ def documentation_changed(comparison: Comparison) -> Iterator[Change]:
                 key_text = enumeration([key.replace("_", " ") for key in keys], len(keys))
                 text = f"{named(pair.new)}: changed {key_text}"
                 old, new = ("; ".join(_key_text(*difference) for difference in side) for side in _old_and_new(differ))
-                yield change("documentation_changed", Effect.DOCS, pair, keys[0], text, old, new)
+                yield change(Effect.DOCS, pair, keys[0], text, old, new)
 
 
 _NAMES = {"same_as": "registers", "copy_of": "registers", "signal": "signals"}
@@ -274,6 +271,5 @@ def example_changed(comparison: Comparison) -> Iterator[Change]:
         for key in _KEYS:
             old, new = getattr(pair.old, key), getattr(pair.new, key)
             old = comparison.renamed_to(_EXAMPLE_KEYS[key], old) if key in _EXAMPLE_KEYS else old
-            if old != new:
-                subject = f"the {key.replace('_', ' ')}" if isinstance(new, str | bytes) else key
-                yield from changed("example_changed", Effect.DOCS, pair, key, subject, old, new)
+            subject = f"the {key.replace('_', ' ')}" if isinstance(new, str | bytes) else key
+            yield from changed(Effect.DOCS, pair, key, subject, old, new)

@@ -28,7 +28,7 @@ def bit_moved(comparison: Comparison) -> Iterator[Change]:
             old, new = bits(pair.old), bits(pair.new)
             key = "bit" if pair.new.width == 1 else "bits"
             effect = Effect.DOCS if pair.old.reserved and pair.new.reserved else Effect.WIRE
-            yield change("bit_moved", effect, pair, key, f"{named(pair.new)} is {new}, and was {old}", old, new)
+            yield change(effect, pair, key, f"{named(pair.new)} is {new}, and was {old}", old, new)
 
 
 def flags_changed(comparison: Comparison) -> Iterator[Change]:
@@ -49,7 +49,7 @@ def flags_changed(comparison: Comparison) -> Iterator[Change]:
         before, after = _names(comparison.old, value_pair.old.flags), _names(comparison.new, new)
         lost = bool(before) and bool(after) and not before <= after
         effect = Effect.WIRE if lost else Effect.SOURCE
-        yield from changed("flags_changed", effect, value_pair, "flags", "the word of flags", old, new, ALL)
+        yield from changed(effect, value_pair, "flags", "the word of flags", old, new, ALL)
 
 
 def _names(device: Device, name: str) -> set[tuple[str, str]]:
@@ -69,7 +69,7 @@ def polarity_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.of(Bit):
         old, new = pair.old.active, pair.new.active
-        yield from changed("polarity_changed", Effect.WIRE, pair, "active", "the active level", old, new)
+        yield from changed(Effect.WIRE, pair, "active", "the active level", old, new)
 
 
 def state_changed(comparison: Comparison) -> Iterator[Change]:
@@ -88,7 +88,7 @@ def state_changed(comparison: Comparison) -> Iterator[Change]:
             old = tuple(comparison.renamed_to(word, name) for name in getattr(pair.old, key))
             new = getattr(pair.new, key)
             if sorted(old) != sorted(new):
-                yield from changed("state_changed", Effect.WIRE, pair, key, subject, old, new)
+                yield from changed(Effect.WIRE, pair, key, subject, old, new)
 
 
 def edge_changed(comparison: Comparison) -> Iterator[Change]:
@@ -103,7 +103,7 @@ def edge_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.of(Bit):
         old, new = pair.old.edge, pair.new.edge
-        yield from changed("edge_changed", Effect.BEHAVIOUR, pair, "edge", "the edge that has the effect", old, new)
+        yield from changed(Effect.BEHAVIOUR, pair, "edge", "the edge that has the effect", old, new)
 
 
 def reserved_changed(comparison: Comparison) -> Iterator[Change]:
@@ -123,4 +123,4 @@ def reserved_changed(comparison: Comparison) -> Iterator[Change]:
         effect, outputs = (Effect.WIRE, ALL) if new else (Effect.BEHAVIOUR, ())
         name = named(pair.old if new else pair.new)
         text = f"{name} is reserved now" if new else f"{name} was reserved, and has a meaning now"
-        yield change("reserved_changed", effect, pair, "reserved", text, old, new, outputs)
+        yield change(effect, pair, "reserved", text, old, new, outputs)

@@ -43,9 +43,9 @@ def framing_changed(comparison: Comparison) -> Iterator[Change]:
             old, new = _framing(pair.old, key), _framing(pair.new, key)
             common = key.startswith("response_") and pair.old.has_common_delimiters and pair.new.has_common_delimiters
             if old != new and not common:
-                yield from changed("framing_changed", Effect.WIRE, pair, key, subject, old, new)
+                yield from changed(Effect.WIRE, pair, key, subject, old, new)
     for part in comparison.of(Part):
-        yield from changed("framing_changed", Effect.WIRE, part, "bits", "its bits", _bits(part.old), _bits(part.new))
+        yield from changed(Effect.WIRE, part, "bits", "its bits", _bits(part.old), _bits(part.new))
 
 
 def _bits(part: Part) -> str:
@@ -79,21 +79,13 @@ def check_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Part):
         if pair.old.algorithm != pair.new.algorithm:
             for key, old, new in _computations(pair.old, pair.new):
-                yield from changed("check_changed", Effect.WIRE, pair, key, f"the {key}", old, new)
-        yield from changed("check_changed", Effect.WIRE, pair, "digits", "the digits", pair.old.digits, pair.new.digits)
+                yield from changed(Effect.WIRE, pair, key, f"the {key}", old, new)
+        yield from changed(Effect.WIRE, pair, "digits", "the digits", pair.old.digits, pair.new.digits)
         old, new = _span_text(pair.old), _span_text(pair.new)
         if old != new and _extent(comparison, pair, 0) != _extent(comparison, pair, 1):
             check = "checksum" in (pair.old.role, pair.new.role)
             subject, key = ("what it covers", "covers") if check else ("what it counts", "measures")
-            yield change(
-                "check_changed",
-                Effect.WIRE,
-                pair,
-                key,
-                f"{named(pair.new)}: {difference_text(subject, old, new)}",
-                old,
-                new,
-            )
+            yield from changed(Effect.WIRE, pair, key, subject, old, new)
 
 
 def _computations(old: Part, new: Part) -> Iterator[tuple[str, str, str]]:
@@ -148,17 +140,17 @@ def code_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.of(Message):
         if pair.old.code != pair.new.code:
             old, new = hexadecimal(pair.old.code), hexadecimal(pair.new.code)
-            yield from changed("code_changed", Effect.WIRE, pair, "code", "the code", old, new)
+            yield from changed(Effect.WIRE, pair, "code", "the code", old, new)
         response_codes = pair.old.code_of("response"), pair.new.code_of("response")
         is_stated = pair.old.response_code is not None or pair.new.response_code is not None
         if is_stated and response_codes[0] != response_codes[1]:
             old, new = map(hexadecimal, response_codes)
-            yield from changed("code_changed", Effect.WIRE, pair, "response_code", "the code of the response", old, new)
+            yield from changed(Effect.WIRE, pair, "response_code", "the code of the response", old, new)
         if (pair.old.remote is None) != (pair.new.remote is None):
             old, new = ("data" if own.remote is None else "remote request" for own in (pair.old, pair.new))
-            yield from changed("code_changed", Effect.WIRE, pair, "remote", "the request", old, new)
+            yield from changed(Effect.WIRE, pair, "remote", "the request", old, new)
         effect = Effect.WIRE if pair.new.code is None else Effect.DOCS
-        yield from changed("code_changed", effect, pair, "number", "the number", pair.old.number, pair.new.number)
+        yield from changed(effect, pair, "number", "the number", pair.old.number, pair.new.number)
 
 
 def exception_response_changed(comparison: Comparison) -> Iterator[Change]:
@@ -176,9 +168,7 @@ def exception_response_changed(comparison: Comparison) -> Iterator[Change]:
             _error_text(comparison, pair.old.exception_response, True),
             _error_text(comparison, pair.new.exception_response, False),
         )
-        yield from changed(
-            "exception_response_changed", Effect.WIRE, pair, "exception_response", "the exception response", old, new
-        )
+        yield from changed(Effect.WIRE, pair, "exception_response", "the exception response", old, new)
 
 
 def _error_text(comparison: Comparison, error: ExceptionResponse | None, before: bool) -> str:
@@ -202,36 +192,22 @@ def role_changed(comparison: Comparison) -> Iterator[Change]:
     """
 
     for part in comparison.of(Part):
-        if part.old.role != part.new.role:
-            yield _role_text(part, "role", "the role", part.old.role, part.new.role)
+        yield from changed(Effect.WIRE, part, "role", "the role", part.old.role, part.new.role)
         request_path = part.old.place.path.rpartition("/")[0].rpartition("/")[0] + "/request"
         same = comparison.renamed_to(request_path, part.old.same_as) if part.old.same_as else ""
-        yield from changed(
-            "role_changed", Effect.BEHAVIOUR, part, "same_as", "the part that it repeats", same, part.new.same_as
-        )
+        yield from changed(Effect.BEHAVIOUR, part, "same_as", "the part that it repeats", same, part.new.same_as)
     for field in comparison.of(Field):
         yield from _of_field(comparison, field)
     for value_pair in comparison.values:
         old, new = _parameter(value_pair.old.parameter, comparison), _parameter(value_pair.new.parameter, None)
-        yield from changed(
-            "role_changed", Effect.WIRE, value_pair, "parameter", "the part of a parameter that it is", old, new
-        )
+        yield from changed(Effect.WIRE, value_pair, "parameter", "the part of a parameter that it is", old, new)
     for message in comparison.of(Message):
         before, after = access_text(comparison, message.old), access_text(None, message.new)
-        if before != after:
-            yield _role_text(message, "accesses", "how it accesses registers", before, after)
+        yield from changed(Effect.WIRE, message, "accesses", "how it accesses registers", before, after)
         before, after = steps_text(comparison, message.old), steps_text(None, message.new)
-        if before != after:
-            yield _role_text(message, "accesses", "the sequence of its accesses to registers", before, after)
+        yield from changed(Effect.WIRE, message, "accesses", "the sequence of its accesses to registers", before, after)
         before, after = segments_text(comparison, message.old), segments_text(None, message.new)
-        if before != after:
-            yield _role_text(message, "segments", "how its value follows in pieces", before, after)
-
-
-def _role_text(pair: Pair[Part] | Pair[Field] | Pair[Message], key: str, subject: str, old: str, new: str) -> Change:
-    return change(
-        "role_changed", Effect.WIRE, pair, key, f"{named(pair.new)}: {difference_text(subject, old, new)}", old, new
-    )
+        yield from changed(Effect.WIRE, message, "segments", "how its value follows in pieces", before, after)
 
 
 def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
@@ -239,21 +215,16 @@ def _of_field(comparison: Comparison, pair: Pair[Field]) -> Iterator[Change]:
     old, new = _measure(pair.old.stated_measure), _measure(pair.new.stated_measure)
     if (measure := pair.old.stated_measure) is not None:
         old = _measure(replace(measure, field=comparison.renamed_to(holder_path, measure.field)))
-    if old != new:
-        yield _role_text(pair, "measures", "what it measures", old, new)
+    yield from changed(Effect.WIRE, pair, "measures", "what it measures", old, new)
     for key, subject in SUBJECTS_OF_BITS.items():
         old, new = bits_text(comparison, holder_path, pair.old, key), bits_text(None, holder_path, pair.new, key)
-        if old != new:
-            yield _role_text(pair, key, subject, old, new)
+        yield from changed(Effect.WIRE, pair, key, subject, old, new)
     if pair.old.choice and pair.new.choice:
         old = replace(pair.old.choice, by=comparison.renamed_to(holder_path, pair.old.choice.by)).subject
-        if old != pair.new.choice.subject:
-            yield _role_text(pair, "choice", "what decides its type", old, pair.new.choice.subject)
+        yield from changed(Effect.WIRE, pair, "choice", "what decides its type", old, pair.new.choice.subject)
     request_path = holder_path.rpartition("/")[0] + "/request"
     repeated_name = pair.old.same_as and comparison.renamed_to(request_path, pair.old.same_as)
-    yield from changed(
-        "role_changed", Effect.BEHAVIOUR, pair, "same_as", "the field that it repeats", repeated_name, pair.new.same_as
-    )
+    yield from changed(Effect.BEHAVIOUR, pair, "same_as", "the field that it repeats", repeated_name, pair.new.same_as)
 
 
 def _measure(measure: Measure | None) -> str:
@@ -290,7 +261,7 @@ def sending_changed(comparison: Comparison) -> Iterator[Change]:
             words = "users send it" if pair.new.is_requested else "only the device sends it"
             text = f"{named(pair.new)}: {words} now"
             values = pair.old.is_requested, pair.new.is_requested
-            yield change("sending_changed", Effect.WIRE, pair, "requested", text, *values)
+            yield change(Effect.WIRE, pair, "requested", text, *values)
         for key, subject, old, new, fallback in (
             ("links", "where it is sent", links, _links(comparison.new, pair.new), pair.new.links),
             ("answered_on", "where it is answered", answering_links, _answered_on(comparison.new, pair.new), None),
@@ -301,9 +272,7 @@ def sending_changed(comparison: Comparison) -> Iterator[Change]:
                 stated = (pair.old.answered_on, pair.new.answered_on) != (None, None)
             if stated and sorted(old) != sorted(new):
                 lost = key == "answered_on" or (key == "links" and bool(set(old) - set(new)))
-                yield from changed(
-                    "sending_changed", Effect.WIRE if lost else Effect.BEHAVIOUR, pair, key, subject, old, new
-                )
+                yield from changed(Effect.WIRE if lost else Effect.BEHAVIOUR, pair, key, subject, old, new)
 
 
 def _answered_on(device: Device, message: Message) -> tuple[str, ...]:
@@ -326,14 +295,11 @@ def broadcast_changed(comparison: Comparison) -> Iterator[Change]:
 
     for link in comparison.of(Link):
         old, new = (side.unit_addresses.broadcast if side.unit_addresses else None for side in (link.old, link.new))
-        yield from changed(
-            "broadcast_changed", Effect.WIRE, link, "unit_addresses", "the address of all stations", old, new
-        )
+        yield from changed(Effect.WIRE, link, "unit_addresses", "the address of all stations", old, new)
     for message in comparison.of(Message):
         if message.old.broadcast != message.new.broadcast:
             text = {True: "can", False: "cannot", None: "may or may not"}[message.new.broadcast]
             yield change(
-                "broadcast_changed",
                 Effect.BEHAVIOUR,
                 message,
                 "broadcast",
@@ -358,7 +324,7 @@ def building_changed(comparison: Comparison) -> Iterator[Change]:
         old, new = pair.old.builds, pair.new.builds
         if old != new:
             text = f"the versions of {named(pair.new)} {'have' if new else 'no longer have'} outputs of their own"
-            yield change("building_changed", Effect.SOURCE, pair, "builds", text, old, new, (PYTHON, C))
+            yield change(Effect.SOURCE, pair, "builds", text, old, new, (PYTHON, C))
 
 
 def detection_changed(comparison: Comparison) -> Iterator[Change]:
@@ -375,12 +341,12 @@ def detection_changed(comparison: Comparison) -> Iterator[Change]:
         old, new = (_detection_text(side.detected_by) for side in (pair.old, pair.new))
         if old != new:
             text = f"{named(pair.new)}: {difference_text('detected_by', old or None, new or None)}"
-            yield change("detection_changed", Effect.BEHAVIOUR, pair, "detected_by", text, old, new, (PYTHON,))
+            yield change(Effect.BEHAVIOUR, pair, "detected_by", text, old, new, (PYTHON,))
     for version in comparison.of(Version):
         old, new = (", ".join(map(str, side.detected_as)) for side in (version.old, version.new))
         if old != new:
             text = f"{version.new.id}: {difference_text('what tells it', old or None, new or None)}"
-            yield change("detection_changed", Effect.BEHAVIOUR, version, "detected_as", text, old, new, (PYTHON,))
+            yield change(Effect.BEHAVIOUR, version, "detected_as", text, old, new, (PYTHON,))
 
 
 def _detection_text(detection: Detection | None) -> str:

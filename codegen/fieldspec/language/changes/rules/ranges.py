@@ -30,9 +30,7 @@ def range_narrowed(comparison: Comparison) -> Iterator[Change]:
         lost = without(bounds.old, bounds.new)
         if lost.intervals:
             message = f"{bounds.name}: {bounds.what} is {text(bounds.new)}; {text(lost)} is not allowed any more"
-            yield change(
-                "range_narrowed", Effect.BEHAVIOUR, bounds.pair, bounds.key, message, text(bounds.old), text(bounds.new)
-            )
+            yield change(Effect.BEHAVIOUR, bounds.pair, bounds.key, message, text(bounds.old), text(bounds.new))
 
 
 def range_widened(comparison: Comparison) -> Iterator[Change]:
@@ -50,9 +48,7 @@ def range_widened(comparison: Comparison) -> Iterator[Change]:
         gained = without(bounds.new, bounds.old)
         if gained.intervals:
             message = f"{bounds.name}: {bounds.what} is {text(bounds.new)}; {text(gained)} is allowed now"
-            yield change(
-                "range_widened", Effect.BEHAVIOUR, bounds.pair, bounds.key, message, text(bounds.old), text(bounds.new)
-            )
+            yield change(Effect.BEHAVIOUR, bounds.pair, bounds.key, message, text(bounds.old), text(bounds.new))
 
 
 def default_changed(comparison: Comparison) -> Iterator[Change]:
@@ -69,14 +65,11 @@ def default_changed(comparison: Comparison) -> Iterator[Change]:
 
     for value_pair in comparison.all_values:
         old, new = value_pair.old.default, value_pair.new.default
-        if old != new:
-            filling = value_pair.reserved and value_pair.new.const is None and (old or 0) != (new or 0)
-            effect = Effect.WIRE if filling else Effect.BEHAVIOUR
-            yield from changed("default_changed", effect, value_pair, "default", "the default", old, new)
+        filling = value_pair.reserved and value_pair.new.const is None and (old or 0) != (new or 0)
+        effect = Effect.WIRE if filling else Effect.BEHAVIOUR
+        yield from changed(effect, value_pair, "default", "the default", old, new)
     for pair in comparison.of(Bit):
-        if pair.old.default != pair.new.default:
-            old, new = pair.old.default, pair.new.default
-            yield from changed("default_changed", Effect.BEHAVIOUR, pair, "default", "the default", old, new)
+        yield from changed(Effect.BEHAVIOUR, pair, "default", "the default", pair.old.default, pair.new.default)
 
 
 _KEYS = {
@@ -103,7 +96,7 @@ def limit_changed(comparison: Comparison) -> Iterator[Change]:
         for attribute, (key, subject) in _KEYS.items():
             old, new = getattr(pair.old, attribute), getattr(pair.new, attribute)
             effect = Effect.DOCS if attribute == "kind" else Effect.BEHAVIOUR
-            yield from changed("limit_changed", effect, pair, key, subject, old, new)
+            yield from changed(effect, pair, key, subject, old, new)
 
 
 def access_changed(comparison: Comparison) -> Iterator[Change]:
@@ -119,7 +112,7 @@ def access_changed(comparison: Comparison) -> Iterator[Change]:
 
     for pair in comparison.any_of(Register, Table, Field, Parameter, Subindex):
         old, new = pair.old.access, pair.new.access
-        yield from changed("access_changed", Effect.BEHAVIOUR, pair, "access", "the access", old, new)
+        yield from changed(Effect.BEHAVIOUR, pair, "access", "the access", old, new)
 
 
 _HANDLING_TEXTS = {
@@ -155,7 +148,7 @@ def handling_changed(comparison: Comparison) -> Iterator[Change]:
             old, new = getattr(pair.old, key, False), getattr(pair.new, key, False)
             if old != new:
                 text = f"{named(pair.new)} {_HANDLING_TEXTS[key, new]}"
-                yield change("handling_changed", Effect.BEHAVIOUR, pair, key, text, old, new)
+                yield change(Effect.BEHAVIOUR, pair, key, text, old, new)
     for handled in comparison.any_of(Register, Field, Parameter, Table, Message, Bit):
         if handled.old.handling == handled.new.handling:
             continue
@@ -163,7 +156,7 @@ def handling_changed(comparison: Comparison) -> Iterator[Change]:
             before, after = getattr(handled.old.handling, key), getattr(handled.new.handling, key)
             if key in _PATHS and before:
                 before = comparison.renamed_path(before)
-            yield from changed("handling_changed", Effect.BEHAVIOUR, handled, key, _ASKED[key], before, after)
+            yield from changed(Effect.BEHAVIOUR, handled, key, _ASKED[key], before, after)
 
 
 def restart_changed(comparison: Comparison) -> Iterator[Change]:
@@ -179,6 +172,4 @@ def restart_changed(comparison: Comparison) -> Iterator[Change]:
     for pair in comparison.any_of(Register, Field, Parameter):
         old, new = pair.old.restart, pair.new.restart
         if old != new and not pair.new.reserved:
-            yield from changed(
-                "restart_changed", Effect.BEHAVIOUR, pair, "restart", "whether a restart is needed", old, new
-            )
+            yield from changed(Effect.BEHAVIOUR, pair, "restart", "whether a restart is needed", old, new)

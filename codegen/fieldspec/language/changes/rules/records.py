@@ -35,7 +35,6 @@ def field_moved(comparison: Comparison) -> Iterator[Change]:
                 text = f"{names} have other offsets; {text}"
             text = f"{named(container)}: {text}"
             yield Change(
-                "field_moved",
                 Effect.WIRE,
                 kind(now),
                 path(now, container),
@@ -68,16 +67,7 @@ def length_changed(comparison: Comparison) -> Iterator[Change]:
             key = fields.direction or "fields"
             fact_path = f"{path(new, None)}/{fields.direction}".rstrip("/")
             places = span(old, key, None), span(new, key, None)
-            yield Change(
-                "length_changed",
-                Effect.WIRE,
-                kind(new),
-                fact_path,
-                text,
-                _length_text(before),
-                _length_text(after),
-                *places,
-            )
+            yield Change(Effect.WIRE, kind(new), fact_path, text, _length_text(before), _length_text(after), *places)
 
 
 def _of(container: object) -> str:
@@ -105,7 +95,7 @@ def case_changed(comparison: Comparison) -> Iterator[Change]:
         old, new = tuple(comparison.renamed_to(f"enums/{enum}", name) for name in pair.old.when), pair.new.when
         if set(old) != set(new):
             effect = Effect.BEHAVIOUR if set(old) <= set(new) else Effect.WIRE
-            yield from changed("case_changed", effect, pair, "when", "what it applies to", old, new)
+            yield from changed(effect, pair, "when", "what it applies to", old, new)
 
 
 def _enum(comparison: Comparison, field: Field) -> str:
@@ -134,9 +124,7 @@ def count_changed(comparison: Comparison) -> Iterator[Change]:
         yield from _grown(pair, "count", pair.old.count, pair.new.count)
     for table in comparison.of(Table):
         old = comparison.renamed_to("registers", table.old.count_by) if table.old.count_by else ""
-        yield from changed(
-            "count_changed", Effect.WIRE, table, "count_by", "the register of its count", old, table.new.count_by
-        )
+        yield from changed(Effect.WIRE, table, "count_by", "the register of its count", old, table.new.count_by)
     for parameter in comparison.of(Parameter):
         yield from _grown(parameter, "elements", parameter.old.elements or 1, parameter.new.elements or 1)
     for field in comparison.of(Field):
@@ -145,25 +133,15 @@ def count_changed(comparison: Comparison) -> Iterator[Change]:
 
 def _grown(pair: Pair[Register] | Pair[Table] | Pair[Parameter], key: str, old: int, new: int) -> Iterator[Change]:
     effect = Effect.BEHAVIOUR if new > old else Effect.WIRE
-    yield from changed("count_changed", effect, pair, key, "the number of elements", old, new)
+    yield from changed(effect, pair, key, "the number of elements", old, new)
 
 
 def _in_frame(pair: Pair[Field]) -> Iterator[Change]:
     if (pair.old.repeat is None) != (pair.new.repeat is None):
         goes_on = pair.new.repeat is not None
         text = "continues to the end of the data" if goes_on else "no longer continues to the end of the data"
-        yield change(
-            "count_changed",
-            Effect.WIRE,
-            pair,
-            "repeat",
-            f"{named(pair.new)} {text}",
-            pair.old.repeat,
-            pair.new.repeat,
-        )
+        yield change(Effect.WIRE, pair, "repeat", f"{named(pair.new)} {text}", pair.old.repeat, pair.new.repeat)
     elif pair.old.count != pair.new.count:
         same = (pair.old.count or 1) == (pair.new.count or 1)
         effect, outputs = (Effect.SOURCE, (PYTHON,)) if same else (Effect.WIRE, ())
-        yield from changed(
-            "count_changed", effect, pair, "count", "the number of elements", pair.old.count, pair.new.count, outputs
-        )
+        yield from changed(effect, pair, "count", "the number of elements", pair.old.count, pair.new.count, outputs)

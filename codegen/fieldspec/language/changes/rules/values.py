@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from fieldspec.language.changes.attributes import ALL, PYTHON
 from fieldspec.language.changes.change import Change, Effect
-from fieldspec.language.changes.comparison import Comparison, Pair, ValuePair
-from fieldspec.language.changes.descriptions import change, changed, difference_text, named
+from fieldspec.language.changes.comparison import Comparison, ValuePair
+from fieldspec.language.changes.descriptions import change, changed, difference, difference_text, named
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Flags
@@ -36,26 +36,25 @@ def type_changed(comparison: Comparison) -> Iterator[Change]:
             (value_pair.old.size, _encoding(value_pair.old)) != (value_pair.new.size, _encoding(value_pair.new))
             and not value_pair.reserved
         ):
-            yield _change(value_pair, "type", _of(value_pair.old), _of(value_pair.new), named(value_pair.of.new))
+            yield difference(Effect.WIRE, value_pair, "type", "the type", _of(value_pair.old), _of(value_pair.new), ALL)
     for word in comparison.of(Flags):
         if word.old.type != word.new.type:
-            yield _change(word, "type", word.old.type.name, word.new.type.name, named(word.new))
+            yield difference(Effect.WIRE, word, "type", "the type", word.old.type.name, word.new.type.name, ALL)
     for bit in comparison.of(Bit):
         if bit.old.signed != bit.new.signed:
             kinds = {True: "signed", False: "unsigned"}
-            yield _change(bit, "signed", kinds[bit.old.signed], kinds[bit.new.signed], named(bit.new))
+            yield difference(Effect.WIRE, bit, "signed", "the type", kinds[bit.old.signed], kinds[bit.new.signed], ALL)
     for table in comparison.of(Table):
         record = comparison.renamed_to("records", table.old.record)
-        if record != table.new.record:
-            yield _change(table, "record", record, table.new.record, named(table.new))
+        yield from changed(Effect.WIRE, table, "record", "the type", record, table.new.record, ALL)
     for field in comparison.of(Field):
         record = comparison.renamed_to("records", field.old.record)
         old, new = _content(field.old, record), _content(field.new, field.new.record)
         if record != field.new.record or old[0] != new[0]:
-            yield _change(field, new[0], old[1], new[1], named(field.new))
+            yield difference(Effect.WIRE, field, new[0], "the type", old[1], new[1], ALL)
     for part in comparison.of(Part):
         if (part.old.value is None) != (part.new.value is None):
-            yield _change(part, "type", _of(part.old.value), _of(part.new.value), named(part.new))
+            yield difference(Effect.WIRE, part, "type", "the type", _of(part.old.value), _of(part.new.value), ALL)
 
 
 def _of(value: Value | None) -> str:
@@ -84,18 +83,6 @@ def _content(field: Field, record: str) -> tuple[str, str]:
     return ("record", record) if record else ("type", _of(field.value))
 
 
-def _change(
-    pair: ValuePair | Pair[Bit] | Pair[Flags] | Pair[Table] | Pair[Field] | Pair[Part],
-    key: str,
-    old: str,
-    new: str,
-    name: str,
-) -> Change:
-    return change(
-        "type_changed", Effect.WIRE, pair, key, f"{name}: {difference_text('the type', old, new)}", old, new, ALL
-    )
-
-
 def _of_bits(comparison: Comparison) -> Iterator[ValuePair]:
     """The numbers in fields of bits."""
     for pair in comparison.of(Bit):
@@ -117,13 +104,11 @@ def scale_changed(comparison: Comparison) -> Iterator[Change]:
             ("scale", value_pair.old.scale_number, value_pair.new.scale_number),
             ("offset", value_pair.old.offset, value_pair.new.offset),
         ):
-            if old != new and (key == "offset" or value_pair.old.scale != value_pair.new.scale):
-                yield from changed("scale_changed", Effect.WIRE, value_pair, key, "the " + key, old, new)
+            if key == "offset" or value_pair.old.scale != value_pair.new.scale:
+                yield from changed(Effect.WIRE, value_pair, key, "the " + key, old, new)
         exponent = _exponent(comparison, value_pair)
-        if exponent != value_pair.new.scale_by:
-            new = value_pair.new.scale_by
-            subject = "the exponent" if isinstance(value_pair.of.new, Field) else "the register of the exponent"
-            yield from changed("scale_changed", Effect.WIRE, value_pair, "scale_by", subject, exponent, new)
+        subject = "the exponent" if isinstance(value_pair.of.new, Field) else "the register of the exponent"
+        yield from changed(Effect.WIRE, value_pair, "scale_by", subject, exponent, value_pair.new.scale_by)
 
 
 def _exponent(comparison: Comparison, pair: ValuePair) -> str:
@@ -147,13 +132,13 @@ def unit_changed(comparison: Comparison) -> Iterator[Change]:
 
     for value_pair in (*comparison.values, *_of_bits(comparison)):
         old, new = value_pair.old.quantity_unit, value_pair.new.quantity_unit
-        yield from changed("unit_changed", Effect.WIRE, value_pair, "unit", "the unit", old, new, (PYTHON,))
+        yield from changed(Effect.WIRE, value_pair, "unit", "the unit", old, new, (PYTHON,))
     for unit in comparison.of(DeclaredUnit):
         for key, subject in (("symbol", "the symbol"), ("quantity", "what it measures"), ("factor", "the factor")):
             before, after = getattr(unit.old, key) or None, getattr(unit.new, key) or None
             if before != after:
                 text = f"the unit {named(unit.new)}: {difference_text(subject, before, after)}"
-                yield change("unit_changed", Effect.WIRE, unit, key, text, before, after)
+                yield change(Effect.WIRE, unit, key, text, before, after)
 
 
 def sentinel_changed(comparison: Comparison) -> Iterator[Change]:
@@ -181,29 +166,21 @@ def _compare_sentinels(value_pair: ValuePair) -> Iterator[Change]:
         interval, value = key
         if key not in new:
             text = f"{name}: {value} no longer stands for {old[key]}"
-            yield _sentinel_change(value_pair, Effect.WIRE, text, f"{value} {old[key]}", "")
+            yield change(Effect.WIRE, value_pair, "sentinels", text, f"{value} {old[key]}", "")
         elif key not in old:
             effect = Effect.WIRE if _possible(value_pair.old, interval) else Effect.BEHAVIOUR
-            yield _sentinel_change(
-                value_pair, effect, f"{name}: {value} stands for {new[key]}", "", f"{value} {new[key]}"
-            )
+            text = f"{name}: {value} stands for {new[key]}"
+            yield change(effect, value_pair, "sentinels", text, "", f"{value} {new[key]}")
         elif old[key] != new[key]:
             text = f"{name}: {value} is called {new[key]}, and was called {old[key]}"
-            yield _sentinel_change(
-                value_pair, Effect.SOURCE, text, f"{value} {old[key]}", f"{value} {new[key]}", (PYTHON,)
-            )
+            names = f"{value} {old[key]}", f"{value} {new[key]}"
+            yield change(Effect.SOURCE, value_pair, "sentinels", text, *names, (PYTHON,))
 
 
 def _possible(value: Value, interval: tuple[int, int]) -> bool:
     """Whether a raw value of an interval was permitted as a quantity."""
     low, high = interval
     return value.ranges is None or any(first <= high and low <= last for first, last in value.ranges.intervals)
-
-
-def _sentinel_change(
-    value_pair: ValuePair, effect: Effect, text: str, old: str, new: str, outputs: tuple[str, ...] = ()
-) -> Change:
-    return change("sentinel_changed", effect, value_pair, "sentinels", text, old, new, outputs)
 
 
 def const_changed(comparison: Comparison) -> Iterator[Change]:
@@ -218,7 +195,7 @@ def const_changed(comparison: Comparison) -> Iterator[Change]:
 
     for value_pair in comparison.all_values:
         old, new = value_pair.old.const, value_pair.new.const
-        yield from changed("const_changed", Effect.WIRE, value_pair, "const", "the constant", old, new)
+        yield from changed(Effect.WIRE, value_pair, "const", "the constant", old, new)
 
 
 def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
@@ -235,24 +212,18 @@ def byte_order_changed(comparison: Comparison) -> Iterator[Change]:
         for key in ("byte_order", "word_order"):
             old, new = (_device_order(device, key) for device in (comparison.old, comparison.new))
             if old != new and getattr(link.old, key) != getattr(link.new, key):
-                yield from changed(
-                    "byte_order_changed", Effect.WIRE, link, key, "the " + key.replace("_", " "), old, new
-                )
+                yield from changed(Effect.WIRE, link, key, "the " + key.replace("_", " "), old, new)
     for part in comparison.of(Part):
         if all(side.algorithm and checksum_named(side.algorithm).has_order for side in (part.old, part.new)):
             old, new = part.old.byte_order or "little", part.new.byte_order or "little"
-            yield from changed(
-                "byte_order_changed", Effect.WIRE, part, "byte_order", "the byte order of the checksum", old, new
-            )
+            yield from changed(Effect.WIRE, part, "byte_order", "the byte order of the checksum", old, new)
     for value_pair in comparison.values:
         for key in ("byte_order", "word_order", "write_word_order"):
             if getattr(value_pair.old, key) == getattr(value_pair.new, key):
                 continue
             if _ordered(value_pair.old, key) and _ordered(value_pair.new, key):
                 old, new = _order(value_pair.old, comparison.old, key), _order(value_pair.new, comparison.new, key)
-                yield from changed(
-                    "byte_order_changed", Effect.WIRE, value_pair, key, "the " + key.replace("_", " "), old, new
-                )
+                yield from changed(Effect.WIRE, value_pair, key, "the " + key.replace("_", " "), old, new)
 
 
 def _ordered(value: Value, key: str) -> bool:
@@ -296,4 +267,4 @@ def conversion_changed(comparison: Comparison) -> Iterator[Change]:
             ("signals", "what it applies to", renamed, pair.new.signals),
             ("references", "the reference", paths, pair.new.references),
         ):
-            yield from changed("conversion_changed", Effect.WIRE, pair, key, subject, old, new)
+            yield from changed(Effect.WIRE, pair, key, subject, old, new)

@@ -287,7 +287,9 @@ _READERS: dict[str, tuple[Callable[[Entry, str], object], object]] = {
     "tuple[str, ...]": (Entry.texts, ()),
     "bool": (Entry.flag, False),
     "bool | None": (Entry.maybe, None),
+    "int": (lambda entry, key: entry.integer(key) or 0, 0),
     "int | None": (Entry.integer, None),
+    "tuple[int, ...]": (Entry.integers, ()),
     "Decimal | None": (Entry.decimal, None),
 }
 """How attributes of these types are read, and what they are where the key is not given."""

@@ -160,11 +160,7 @@ def _manual(head: Entry) -> Manual:
     entry = head.entry("manual")
     if entry is None:
         return Manual()
-    return entry.built(
-        Manual,
-        lines=entry.integer("lines") or 0,
-        pages=entry.integer("pages") or 0,
-    )
+    return entry.built(Manual)
 
 
 def _lines(root: Entry, reused: Reused) -> tuple[VersionLine, ...]:
@@ -184,4 +180,4 @@ def _line(entry: Entry) -> VersionLine:
 def _detection(entry: Entry | None) -> Detection | None:
     if entry is None:
         return None
-    return entry.built(Detection, places=entry.integer("places") or 0)
+    return entry.built(Detection)

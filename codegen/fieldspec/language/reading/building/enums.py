@@ -24,11 +24,7 @@ def enum(entry: Entry) -> Enum:
 
 
 def _member(entry: Entry) -> Member:
-    return entry.built(
-        Member,
-        value=entry.integer("value") or 0,
-        causes=tuple(inner.built(Cause) for inner in entry.entries("causes")),
-    )
+    return entry.built(Member, causes=tuple(inner.built(Cause) for inner in entry.entries("causes")))
 
 
 def flags(entry: Entry) -> Flags:

@@ -256,10 +256,4 @@ def _serial(entry: Entry) -> Serial | None:
         if default and values and default not in values:
             text = f"`default_{key}` is `{default}`, which is not in `{key}`"
             serial.refuse("wrong_form", f"default_{key}", text, f"correct it, or add it to `{key}`")
-    return serial.built(
-        Serial,
-        baud=speeds,
-        default_baud=usual,
-        data_bits=serial.integers("data_bits"),
-        stop_bits=serial.integers("stop_bits"),
-    )
+    return serial.built(Serial)

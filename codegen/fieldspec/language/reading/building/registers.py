@@ -30,7 +30,6 @@ def address_space(entry: Entry) -> AddressSpace:
         AddressSpace,
         unit=entry.text("unit") or WORD,
         bounds=entry.whole_ranges("bounds") or WHOLE,
-        first_number=entry.integer("first_number") or 0,
     )
 
 
@@ -78,7 +77,6 @@ def _register(entry: Entry, space: str, unit_size: int) -> Register:
         handling=entry.handling(),
         count=count,
         stride=entry.integer("stride") or width,
-        index_from=entry.integer("index_from") or 0,
         element_sources=elements,
         unit_size=unit_size,
     )
@@ -104,10 +102,8 @@ def table(entry: Entry) -> Table:
     """The table of records that an entry states."""
     return entry.built(
         Table,
-        base=entry.integer("base") or 0,
         stride=entry.integer("stride") or 1,
         count=entry.integer("count") or 1,
-        index_from=entry.integer("index_from") or 0,
         handling=entry.handling(),
         elements=tuple(_printed_element(inner) for inner in entry.entries("elements")),
     )
@@ -117,7 +113,6 @@ def _printed_element(entry: Entry) -> PrintedElement:
     first, _, last = entry.text("at").partition("..")
     return entry.built(
         PrintedElement,
-        index=entry.integer("index") or 0,
         first=int(first, 16) if first else None,
         last=int(last, 16) if last else None,
     )
@@ -140,7 +135,6 @@ def parameter_set(entry: Entry, reused: Reused) -> ParameterSet:
     return entry.built(
         ParameterSet,
         space=entry.text("space") or entry.text("name"),
-        base=entry.integer("base") or 0,
         numbers=entry.whole_ranges("numbers"),
         parameters=parameters,
     )
@@ -150,7 +144,6 @@ def _parameter(entry: Entry, type_name: str) -> Parameter:
     own_type = entry.text("type") or type_name
     return entry.built(
         Parameter,
-        number=entry.integer("number") or 0,
         count=entry.integer("count") or 1,
         value=value(entry, type_name),
         subindices=tuple(_subindex(inner, own_type) for inner in entry.entries("subindices")),

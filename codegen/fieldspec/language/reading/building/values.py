@@ -73,7 +73,6 @@ def value(entry: Entry, type_name: str = "") -> Value:
         sentinels=tuple(_sentinel(inner) for inner in entry.entries("sentinels")),
         write_ranges=entry.whole_ranges("write_range"),
         digits=digits,
-        places=entry.integer("places") or 0,
         scale_by=scale_by,
         text_form=text_form(
             entry.text("encoding"),
@@ -86,7 +85,6 @@ def value(entry: Entry, type_name: str = "") -> Value:
         else None,
         width=size if varies else 0,
         codec=codec,
-        packed_bits=entry.integer("packed_bits") or 0,
         has_blanks=digits == "decimal" and entry.text("padding") == "space" and not varies,
     )
 

@@ -25,7 +25,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     EnumMemberExpression,
     EnumType,
     Expression,
-    Negation,
     StructType,
     Truth,
     Variable,
@@ -230,9 +229,9 @@ class _Comparison:
             return left.compared("<>", right)
         for own, other in ((left, right), (right, left)):
             if isinstance(own.type, EnumType):
-                return Negation(
-                    either([every([own.compared("=", m), self._is(other, m)]) for m in self._members(own.type)])
-                )
+                return either(
+                    [every([own.compared("=", m), self._is(other, m)]) for m in self._members(own.type)]
+                ).negated()
         assert isinstance(left.type, Elementary)
         assert isinstance(right.type, Elementary)
         real = "real" in (left.type.family, right.type.family)

@@ -17,7 +17,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Call,
     Element,
     Expression,
-    Negation,
     Variable,
     Whole,
     either,
@@ -43,8 +42,8 @@ def single_bit_routines(world: World) -> Iterator[Routine]:
     name = world.routine("with_bit")
     result, byte = Variable(name, USINT), _BYTE.converted(UINT)
     changes = (
-        (every([_VALUE, Negation(_IS_SET)]), (Assignment(result, _narrowed("+", byte)),)),
-        (every([_IS_SET, Negation(_VALUE)]), (Assignment(result, _narrowed("-", byte)),)),
+        (every([_VALUE, _IS_SET.negated()]), (Assignment(result, _narrowed("+", byte)),)),
+        (every([_IS_SET, _VALUE.negated()]), (Assignment(result, _narrowed("-", byte)),)),
     )
     body = (*_weighed(), Assignment(_IS_SET, _is_set()), Assignment(result, _BYTE), Condition(changes))
     declared = (*_INPUTS, Declared(_VALUE, "input", "the bit"), *_LOCALS, Declared(_IS_SET, "local"))

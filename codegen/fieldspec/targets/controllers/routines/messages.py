@@ -22,7 +22,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     INT,
     Call,
     Expression,
-    Negation,
     Variable,
     Whole,
     either,
@@ -195,7 +194,7 @@ def _parse(world: World, link: LinkLayout, message: MessageLayout) -> Routine:
         other: Expression = code.compared("<>", named(own, coded, message.name, word, hexadecimal=True))
         error = link.link.exception_response
         if refused is not None and error is not None and error.code is not None:
-            other = every([Negation(refused), other])
+            other = every([refused.negated(), other])
         draft.refuse(other, "unknown_code")
     holder = Bytes(source, body)
     if refused is not None and refusal is not None and refusal_fields is not None:

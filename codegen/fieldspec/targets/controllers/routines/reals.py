@@ -21,7 +21,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Elementary,
     Expression,
     Fraction,
-    Negation,
     Shift,
     Variable,
     Whole,
@@ -180,7 +179,7 @@ def _to_bits(world: World, precision: Precision) -> Routine:
         ]
     )
 
-    draft.refuse(Negation(ordered), "no_number")
+    draft.refuse(ordered.negated(), "no_number")
     draft.refuse(every([rest.compared(">", unit), half.compared("=", value)]), "no_number")
     if exceeding is not None:
         draft.refuse(exceeding, "out_of_range")

@@ -19,7 +19,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     EnumType,
     Expression,
     Member,
-    Negation,
     Type,
     Variable,
     Whole,
@@ -167,7 +166,7 @@ def selecting(draft: Draft, selector: FieldLayout, source: Expression) -> Expres
     kind = draft.world.raw_type(value.enum)
     number = draft.local(f"{PREFIXES[kind.name]}Selected", kind)
     call = draft.world.enum_to_raw(value.enum, source, number)
-    draft.refuse(Negation(call), "unknown_value")
+    draft.refuse(call.negated(), "unknown_value")
     return number
 
 

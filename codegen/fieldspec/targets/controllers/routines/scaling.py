@@ -17,7 +17,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Elementary,
     Expression,
     Fraction,
-    Negation,
     Operation,
     Whole,
     either,
@@ -130,7 +129,7 @@ def _rounded(draft: Draft, count: Expression, kind: Elementary, intervals: Itera
     draft.add([Assignment(counts, Whole(0, kind)), Assignment(exact, count)])
     above_low = exact.compared(">=", _digits(low)) if -low > _WHOLE_ONLY else exact.compared(">", _half(low, -1))
     below_high = exact.compared("<", _digits(high + 1)) if high > _WHOLE_ONLY else exact.compared("<", _half(high, 1))
-    draft.refuse(Negation(every([above_low, below_high])), "out_of_range")
+    draft.refuse(every([above_low, below_high]).negated(), "out_of_range")
     whole = draft.local(f"{PREFIXES[kind.name]}Whole", kind)
     odd = whole.combined("MOD", 2).compared("<>", 0)
     half, less = Fraction("0.5"), Fraction("-0.5")
@@ -214,7 +213,7 @@ def _share_to_counts(world: World, share: Share) -> Routine:
     value = draft.declare("lrValue", LREAL, "input")
     reference = draft.declare("lrReference", LREAL, "input", "in the unit of the quantity")
     zero = [reference.compared("<", _ZERO), reference.compared(">", _ZERO)]
-    draft.refuse(Negation(Operation("OR", tuple(zero), BOOL)), "out_of_range")
+    draft.refuse(Operation("OR", tuple(zero), BOOL).negated(), "out_of_range")
     part: Expression = value.combined("/", reference)
     if share.complement:
         part = _digits(1).combined("-", part)

@@ -32,7 +32,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     EnumType,
     Expression,
     Fraction,
-    Negation,
     either,
     every,
     outside,
@@ -96,7 +95,7 @@ def outside_real(value: Value, tested: Expression) -> Expression:
         every([tested.compared(">=", Fraction(_real(low), REAL)), tested.compared("<=", Fraction(_real(high), REAL))])
         for low, high in sorted(pairs)
     ]
-    return Negation(either(intervals))
+    return either(intervals).negated()
 
 
 def _real(bound: float) -> str:

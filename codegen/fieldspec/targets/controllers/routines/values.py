@@ -43,7 +43,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     EnumType,
     Expression,
     Member,
-    Negation,
     Truth,
     Variable,
     Whole,
@@ -178,7 +177,7 @@ def _read_count(draft: Draft, wire: Wire, bits: Expression, target: Expression) 
         name = wire.value.enum
         received = _received(draft, target, f"e{Name.of(name).pascal()}")
         raw = wire.number(draft.world, bits).converted(draft.world.raw_type(name))
-        refusal = draft.refusal(Negation(draft.world.enum_from_raw(name, raw, received)), "unknown_value")
+        refusal = draft.refusal(draft.world.enum_from_raw(name, raw, received).negated(), "unknown_value")
         return [refusal, *_moved(target, received)]
     assert isinstance(target.type, Elementary)
     read_number = bits if target.type == wire.bits else wire.number(draft.world, bits).converted(target.type)
@@ -235,7 +234,7 @@ def _write_count(draft: Draft, wire: Wire, holder: Holder, source: Expression) -
         enum_number = draft.local(_RAW[wide.name], wide)
         call = draft.world.enum_to_raw(value.enum, source, enum_number)
         return [
-            draft.refusal(Negation(call), "unknown_value"),
+            draft.refusal(call.negated(), "unknown_value"),
             *_put(draft.world, wire, holder, raw, enum_number.converted(wire.whole)),
         ]
     statements = _closed(draft, wire, source)

@@ -30,7 +30,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Elementary,
     Expression,
     Member,
-    Negation,
     Operation,
     StructType,
     Truth,
@@ -109,7 +108,7 @@ class Lookup:
                 return self._number(term.token, expected)
             case Inverted():
                 inverted = self.truth(term.operand)
-                return Truth(not inverted.value) if isinstance(inverted, Truth) else Negation(inverted)
+                return Truth(not inverted.value) if isinstance(inverted, Truth) else inverted.negated()
             case Joined():
                 return self._joined(term) if term.token.text in ("AND", "OR") else self._operation(term)
             case Applied():

@@ -109,6 +109,10 @@ class Expression:
             raise ValueError(f"{self} is compared with itself")
         return Operation(operator, (self, other), BOOL)
 
+    def negated(self) -> Negation:
+        """NOT of a truth."""
+        return Negation(self)
+
     def plus(self, increment: int) -> Expression:
         """The sum of an index and a number; two numbers are added here."""
         if isinstance(self, Whole):
@@ -289,7 +293,7 @@ def outside(tested: Expression, intervals: Iterable[tuple[int, int]]) -> Express
     bounds = sorted(intervals)
     is_within, kind = within(tested, bounds), tested.type
     if is_within is None or len(bounds) > 1:
-        return None if is_within is None else Negation(is_within)
+        return None if is_within is None else is_within.negated()
     assert isinstance(kind, Elementary)
     (low, high) = bounds[0]
     if low == high:

@@ -3,17 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.model.encoding import (
-    Digits,
-    Encoding,
-    Octets,
-    OfPrecision,
-    OfSign,
-    Real,
-    Text,
-    Truth,
-    Whole,
-)
+from fieldspec.language.model.encoding import Digits, Encoding, Octets, OfPrecision, OfSign, Real, Text, Truth, Whole
 from fieldspec.targets.controllers.statements.expressions import SIGNED, UNSIGNED, Elementary
 
 _INTEGERS = OfSign(none=UNSIGNED, complement=SIGNED, magnitude=SIGNED)

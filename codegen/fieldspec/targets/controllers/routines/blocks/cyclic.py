@@ -28,7 +28,7 @@ from fieldspec.targets.controllers.routines.blocks.standard import BlockDraft, a
 from fieldspec.targets.controllers.routines.blocks.tasks import end_steps
 from fieldspec.targets.controllers.routines.blocks.telegram_places import RequestBit, TelegramPlaces, cleared
 from fieldspec.targets.controllers.routines.world import World
-from fieldspec.targets.controllers.statements.expressions import Expression, Negation, Variable, every
+from fieldspec.targets.controllers.statements.expressions import Expression, Variable, every
 from fieldspec.targets.controllers.statements.routine import Assignment, Routine, Statement, when
 
 _BY_LEVEL = frozenset({"homing_start", "jog_positive", "jog_negative", "jog_start"})
@@ -375,7 +375,7 @@ class CyclicTask:
     def block(self) -> Routine:
         """The block: the statements of each scan, with the steps in a CASE."""
         draft, kind = self.draft, self.kind
-        ending = [Negation(draft.variable("xEnding"))] if isinstance(kind, Moving) else []
+        ending = [draft.variable("xEnding").negated()] if isinstance(kind, Moving) else []
         alarms: list[Statement] = []
         guards: list[Branch] = []
         for watch in watches(self.world.layout.device, self.operands, self.task, self.message.name):

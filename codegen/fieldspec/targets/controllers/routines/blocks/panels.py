@@ -12,7 +12,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     UINT,
     WORD,
     Expression,
-    Negation,
     Output,
     StructType,
     Variable,
@@ -21,13 +20,7 @@ from fieldspec.targets.controllers.statements.expressions import (
     every,
 )
 from fieldspec.targets.controllers.statements.interfaces import OWN, BlockVariables
-from fieldspec.targets.controllers.statements.routine import (
-    Assignment,
-    Condition,
-    Invocation,
-    Routine,
-    Statement,
-)
+from fieldspec.targets.controllers.statements.routine import Assignment, Condition, Invocation, Routine, Statement
 
 _TASKS: Mapping[str, tuple[str, str, str]] = {
     "servo_on": ("Servo", "energizes the axis; FALSE takes the energy away", "Ready"),
@@ -115,14 +108,14 @@ class _Panel:
         if variable.name == "Enable":
             remark_text = f"reads position and alarm again and again{_RESTS if self.rests else ''}"
             shows = self.variables.declared_once("Show", BOOL, "input", remark_text, "TRUE")
-            return every([shows, *(Negation(Output(block, "Busy", BOOL)) for block in self.rests)])
+            return every([shows, *(Output(block, "Busy", BOOL).negated() for block in self.rests)])
         if variable.name in _JOGS:
             return self.variables.declared_once(variable.name, BOOL, "input", _JOGS[variable.name])
         if variable.name != "Execute":
             return self.variables.declared_once(variable.name, variable.type, "input", remark)
         if kind == "servo_off":
             name, remark_text, _ = _TASKS["servo_on"]
-            return Negation(self.variables.declared_once(name, BOOL, "input", remark_text))
+            return self.variables.declared_once(name, BOOL, "input", remark_text).negated()
         name, remark_text, _ = _TASKS[kind]
         if kind == "servo_on" and "servo_off" not in self.blocks:
             remark_text = "a rising edge energizes the axis"

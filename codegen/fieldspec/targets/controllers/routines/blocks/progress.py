@@ -21,7 +21,6 @@ from fieldspec.targets.controllers.statements.expressions import (
     Elementary,
     Expression,
     Fraction,
-    Negation,
     Operation,
     Variable,
     either,
@@ -154,7 +153,7 @@ class Conditions:
         flags = {"xStanding": self._fresh(kind, *_STANDING), "xMoved": self._fresh(kind, *_MOVED)}
         idle = self._idle(flags["xStanding"])
         statements = self.draft.action("SeeStanding", **flags, is_standing=is_standing, shows_motion=True)
-        return statements, (every([idle, Negation(flags["xMoved"])]), [self.draft.fail("idle")])
+        return statements, (every([idle, flags["xMoved"].negated()]), [self.draft.fail("idle")])
 
     def _fresh(self, kind: Moving | Stopping, name: str, remark: str) -> Variable:
         """A flag that is FALSE where the block starts."""
@@ -243,7 +242,7 @@ def opposite(test: Expression) -> Expression:
     """The negation of a comparison or of a truth."""
     if isinstance(test, Operation) and test.operator in _OPPOSITES:
         return Operation(_OPPOSITES[test.operator], test.operands, test.type)
-    return Negation(test)
+    return test.negated()
 
 
 def _real(value: Expression) -> Expression:
