@@ -69,13 +69,13 @@ def changed(
         yield difference(effect, pair, key, subject, old, new, outputs)
 
 
-def one_sided(
+def unpaired_change(
     effect: Effect, unpaired: Unpaired, is_new: bool, message: str, value: str, key: str, outputs: tuple[str, ...] = ()
 ) -> Change:
     """The change that only one device has an object. `key` is that of its container in the other one."""
     item, own, other = unpaired.item, unpaired.containers[is_new], unpaired.containers[not is_new]
-    sides = [(value, span(item, "name", own)), ("", around(other, key))]
-    (old, before), (new, after) = reversed(sides) if is_new else sides
+    values_and_places = [(value, span(item, "name", own)), ("", around(other, key))]
+    (old, before), (new, after) = reversed(values_and_places) if is_new else values_and_places
     return Change(effect, kind(item), path(item, own), message, old, new, before, after, outputs)
 
 

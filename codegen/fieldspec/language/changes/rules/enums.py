@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from fieldspec.language.changes.attributes import ALL, PYTHON, C
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair, Unpaired, ValuePair
-from fieldspec.language.changes.descriptions import change, difference, difference_text, named, one_sided
+from fieldspec.language.changes.descriptions import change, difference, difference_text, named, unpaired_change
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Enum, Member
 
@@ -59,7 +59,7 @@ def member_added(comparison: Comparison) -> Iterator[Change]:
     for unpaired in comparison.added:
         if isinstance(unpaired.item, Member):
             effect = Effect.DOCS if unpaired.item.unavailable else Effect.BEHAVIOUR
-            yield one_sided(effect, unpaired, True, *_texts(unpaired, True), "members")
+            yield unpaired_change(effect, unpaired, True, *_texts(unpaired, True), "members")
 
 
 def _texts(unpaired: Unpaired, is_new: bool) -> tuple[str, str]:
@@ -83,7 +83,7 @@ def member_removed(comparison: Comparison) -> Iterator[Change]:
     for unpaired in comparison.removed:
         if isinstance(unpaired.item, Member):
             effect, outputs = (Effect.DOCS, ()) if unpaired.item.unavailable else (Effect.WIRE, ALL)
-            yield one_sided(effect, unpaired, False, *_texts(unpaired, False), "members", outputs)
+            yield unpaired_change(effect, unpaired, False, *_texts(unpaired, False), "members", outputs)
 
 
 def member_renumbered(comparison: Comparison) -> Iterator[Change]:

@@ -8,7 +8,7 @@ from typing import Any
 from fieldspec.language.changes.attributes import ALL, CONSEQUENCES, PYTHON, TEXTS, C
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair, Unpaired
-from fieldspec.language.changes.descriptions import change, changed, kind, named, one_sided, within
+from fieldspec.language.changes.descriptions import change, changed, kind, named, unpaired_change, within
 from fieldspec.language.changes.evidence import enumeration, value_text
 from fieldspec.language.model.address_space import AddressSpace
 from fieldspec.language.model.device import Device, Version
@@ -51,7 +51,7 @@ def fact_added(comparison: Comparison) -> Iterator[Change]:
         if isinstance(item, Member):
             continue
         text = f"the {kind(item)} {named(item)}{within(container)} is new"
-        yield one_sided(_effect(unpaired), unpaired, True, text, named(item), "name")
+        yield unpaired_change(_effect(unpaired), unpaired, True, text, named(item), "name")
 
 
 def _effect(unpaired: Unpaired) -> Effect:
@@ -81,7 +81,7 @@ def fact_removed(comparison: Comparison) -> Iterator[Change]:
             continue
         effect, outputs = _removal_effect(unpaired)
         text = f"the {kind(item)} {named(item)}{within(container)} is gone"
-        yield one_sided(effect, unpaired, False, text, named(item), "name", outputs)
+        yield unpaired_change(effect, unpaired, False, text, named(item), "name", outputs)
 
 
 def _removal_effect(unpaired: Unpaired) -> tuple[Effect, tuple[str, ...]]:
