@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 
 from fieldspec.foundation.source import Span
 from fieldspec.language.changes.change import Change, Effect
-from fieldspec.language.changes.comparison import Comparison, Pair, ValuePair
+from fieldspec.language.changes.comparison import Comparison, Pair, Unpaired, ValuePair
 from fieldspec.language.changes.evidence import quoted, value_text
 from fieldspec.language.model.attributes import MODEL_CLASSES
 from fieldspec.language.model.device import Device, Version, VersionLine
@@ -67,6 +67,16 @@ def changed(
     """The change of a value, if it differs."""
     if old != new:
         yield difference(effect, pair, key, subject, old, new, outputs)
+
+
+def unpaired_change(
+    effect: Effect, unpaired: Unpaired, is_new: bool, message: str, value: str, key: str, outputs: tuple[str, ...] = ()
+) -> Change:
+    """The change that only one device has an object. `key` is that of its container in the other one."""
+    item, own, other = unpaired.item, unpaired.containers[is_new], unpaired.containers[not is_new]
+    values_and_places = [(value, span(item, "name", own)), ("", around(other, key))]
+    (old, before), (new, after) = reversed(values_and_places) if is_new else values_and_places
+    return Change(effect, kind(item), path(item, own), message, old, new, before, after, outputs)
 
 
 def kind(item: Any) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.language.model.operand import Operands
 from fieldspec.language.model.task import Step, Task, argument_text, stated_text, value_text
-from fieldspec.targets.docs.context import Context, cited, sources
+from fieldspec.targets.docs.context import Context, cited, fact_row, sources
 from fieldspec.targets.docs.document import (
     Block,
     Facts,
@@ -65,7 +65,7 @@ def _overview(context: Context, task: Task) -> TableRow:
         return TableRow((cell(code(task.name)), cell(ways), sources(task)))
     mark = styled("open question", "open") if task.open else styled("not applicable", "badge")
     text: Line = (mark, text_piece(f" {task.open or task.not_applicable}"))
-    return TableRow((cell(code(task.name)), cell(text, *context.about(task)), sources(task)), path)
+    return fact_row(task, cell(code(task.name)), cell(text, *context.about(task)))
 
 
 def _task(context: Context, task: Task, operands: Operands) -> Section:

@@ -22,11 +22,11 @@ T = TypeVar("T")
 def _of_owner(method: Callable[..., T], place: int = 0) -> Callable[..., T]:
     """A method that the access of its argument at a place answers, an item, a value or an assignment."""
 
-    def answered(self: JointAccess, *arguments: Any) -> T:
+    def forwarded(self: JointAccess, *arguments: Any) -> T:
         own: T = getattr(self._owner(arguments[place]), method.__name__)(*arguments)
         return own
 
-    return answered
+    return forwarded
 
 
 class JointAccess(Access):

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from fieldspec.language.changes.attributes import ALL, PYTHON, C
 from fieldspec.language.changes.change import Change, Effect
-from fieldspec.language.changes.comparison import Comparison, Pair, ValuePair
-from fieldspec.language.changes.descriptions import around, change, difference, difference_text, kind, named, path, span
+from fieldspec.language.changes.comparison import Comparison, Pair, Unpaired, ValuePair
+from fieldspec.language.changes.descriptions import change, difference, difference_text, named, unpaired_change
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Bit, Enum, Member
 
@@ -58,19 +58,15 @@ def member_added(comparison: Comparison) -> Iterator[Change]:
 
     for unpaired in comparison.added:
         if isinstance(unpaired.item, Member):
-            old, new = unpaired.containers
-            member = unpaired.item
-            text = f"{named(new)}: {member.name} ({member.value}) is new"
-            yield Change(
-                Effect.DOCS if member.unavailable else Effect.BEHAVIOUR,
-                kind(member),
-                path(member, new),
-                text,
-                "",
-                f"{member.value} {member.name}",
-                around(old, "members"),
-                span(member, "name", new),
-            )
+            effect = Effect.DOCS if unpaired.item.unavailable else Effect.BEHAVIOUR
+            yield unpaired_change(effect, unpaired, True, *_texts(unpaired, True), "members")
+
+
+def _texts(unpaired: Unpaired, is_new: bool) -> tuple[str, str]:
+    """The message about a member that only one device has, and its value."""
+    member, state = unpaired.item, "new" if is_new else "gone"
+    text = f"{named(unpaired.containers[is_new])}: {member.name} ({member.value}) is {state}"
+    return text, f"{member.value} {member.name}"
 
 
 def member_removed(comparison: Comparison) -> Iterator[Change]:
@@ -86,20 +82,8 @@ def member_removed(comparison: Comparison) -> Iterator[Change]:
 
     for unpaired in comparison.removed:
         if isinstance(unpaired.item, Member):
-            old, new = unpaired.containers
-            member = unpaired.item
-            text = f"{named(new)}: {member.name} ({member.value}) is gone"
-            yield Change(
-                Effect.DOCS if member.unavailable else Effect.WIRE,
-                kind(member),
-                path(member, old),
-                text,
-                f"{member.value} {member.name}",
-                "",
-                span(member, "name", old),
-                around(new, "members"),
-                () if member.unavailable else ALL,
-            )
+            effect, outputs = (Effect.DOCS, ()) if unpaired.item.unavailable else (Effect.WIRE, ALL)
+            yield unpaired_change(effect, unpaired, False, *_texts(unpaired, False), "members", outputs)
 
 
 def member_renumbered(comparison: Comparison) -> Iterator[Change]:

@@ -8,7 +8,7 @@ from typing import Any
 from fieldspec.language.changes.attributes import ALL, CONSEQUENCES, PYTHON, TEXTS, C
 from fieldspec.language.changes.change import Change, Effect
 from fieldspec.language.changes.comparison import Comparison, Pair, Unpaired
-from fieldspec.language.changes.descriptions import around, change, changed, kind, named, path, span, within
+from fieldspec.language.changes.descriptions import change, changed, kind, named, unpaired_change, within
 from fieldspec.language.changes.evidence import enumeration, value_text
 from fieldspec.language.model.address_space import AddressSpace
 from fieldspec.language.model.device import Device, Version
@@ -51,8 +51,7 @@ def fact_added(comparison: Comparison) -> Iterator[Change]:
         if isinstance(item, Member):
             continue
         text = f"the {kind(item)} {named(item)}{within(container)} is new"
-        before, after = around(unpaired.containers[0], "name"), span(item, "name", container)
-        yield Change(_effect(unpaired), kind(item), path(item, container), text, "", named(item), before, after)
+        yield unpaired_change(_effect(unpaired), unpaired, True, text, named(item), "name")
 
 
 def _effect(unpaired: Unpaired) -> Effect:
@@ -82,8 +81,7 @@ def fact_removed(comparison: Comparison) -> Iterator[Change]:
             continue
         effect, outputs = _removal_effect(unpaired)
         text = f"the {kind(item)} {named(item)}{within(container)} is gone"
-        before, after = span(item, "name", container), around(unpaired.containers[1], "name")
-        yield Change(effect, kind(item), path(item, container), text, named(item), "", before, after, outputs)
+        yield unpaired_change(effect, unpaired, False, text, named(item), "name", outputs)
 
 
 def _removal_effect(unpaired: Unpaired) -> tuple[Effect, tuple[str, ...]]:
