@@ -40,7 +40,7 @@ from fieldspec.targets.c.expressions import (
 )
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parts
-from fieldspec.targets.c.literals import ZERO, decimal, unsigned
+from fieldspec.targets.c.literals import NULL, ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming, Noun, frame_member
 from fieldspec.targets.c.packing import is_packed
 from fieldspec.targets.c.printer import Printer
@@ -288,7 +288,7 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
     size = subtract(_SIZE, _HEADER_SIZE)
     body, opened_body = add(_DATA, _HEADER_SIZE), Member(_OPENED, "body")
     tests.append(equal(Member(_OPENED, "body_length"), size))
-    tests.append(equal(Call("memcmp", (opened_body, body, size)), ZERO))
+    tests.append(all_of([different(opened_body, NULL), equal(Call("memcmp", (opened_body, body, size)), ZERO)]))
     closed = Call(
         naming.function("link", link.name, direction, "close"),
         (*header, size, _OUT, SizeOf(_OUT), address_of(_LENGTH)),
@@ -301,7 +301,7 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
             *_declare_variables(naming, link, direction),
             Variable(status_type(naming), "status"),
             _clear_opened(),
-            If(less(_SIZE, _HEADER_SIZE), (Return(),)),
+            *([If(less(_SIZE, _HEADER_SIZE), (Return(),))] if header else []),
             call("memcpy", add(_OUT, decimal(frame.header_size)), body, size),
             If(different(closed, ok), (Return(),)),
             assign(_STATUS, _open_call(naming, link, direction, _OUT, _LENGTH)),
