@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import BOUNDS, SIZES, Draft, EnumDraft, Spec
+from random_devices.drawn_presences import count_type
 from random_devices.drawn_values import value, varying_text
 
 
@@ -59,7 +60,7 @@ def choice_counter(draft: Draft, choice: Spec) -> Spec:
         varying_bytes = {"type": "bytes", "length": draft.number(1, 9), "varies": True}
         case |= {**stated, **(varying_bytes if draft.chance(50) else varying_text(draft))}
     plus = {"plus": draft.pick((1, 2, 5))} if draft.chance(25) else {}
-    count = draft.fact(type=draft.pick(("u8", "u16")), measures={"bytes": choice["name"], **plus})
+    count = draft.fact(**count_type(draft, ("u8", "u16")), measures={"bytes": choice["name"], **plus})
     if count["type"] == "u16" and draft.chance(25):
         count["byte_order"] = draft.pick(("big", "little"))
     return count

@@ -74,4 +74,4 @@ def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
 
 def _with_number_at(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
     """A list with the field that says how many elements it has, which is at an offset in the image."""
-    return replace(inner, count=count.name, count_at=offset, count_size=count.size, count_order=count.order)
+    return replace(inner, count=count.name, count_at=offset, count_size=count.size, count_order=count.count_order)

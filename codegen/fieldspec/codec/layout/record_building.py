@@ -203,7 +203,7 @@ def _varying(record: Record, fields: tuple[FieldLayout, ...]) -> RecordLayout:
         count = text_count(record, field.field)
         if count is not None and count.measures is not None:
             number = record.fields.index(count)
-            order, plus = fields[number].order, count.measures.plus
+            order, plus = fields[number].count_order, count.measures.plus
             spans.append(Span(field.name, field.size, field.value, None, number, order, plus))
             continue
         end = following.value.const if following is not None and following.value is not None else None

@@ -2,8 +2,8 @@
 member of that enum is in at most one case. If `bits` decide, the number has at most four bytes, and its `flags` have an
 enum in exactly these bits. A choice with several elements ends the data of a message or of an exception response, and
 all fields before it have a fixed size; only bits of a byte decide it. A field that measures any other choice is the
-first before it that counts its bytes, as a binary number of one or two bytes without a `range`. No choice contains a
-parameter, and no table contains a choice.
+first before it that counts its bytes, as a binary number of one or two bytes or as digits, without a `range`. No choice
+contains a parameter, and no table contains a choice.
 
 Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members
 without a case, because the data that follow them are unknown. Only the end of the data ends the elements of a choice.
@@ -24,7 +24,7 @@ from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Whole, is_count, is_signed
-from fieldspec.language.model.record import Case, Choice, Field, Record, choice_count
+from fieldspec.language.model.record import COUNTING, Case, Choice, Field, Record, choice_count
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.value import Value
 
@@ -75,7 +75,7 @@ def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool)
         if other.measures is None or other.measures.field != field.name or choice_count(layer, field) is other:
             continue
         text = f"{other.name} measures {field.name}, whose size {field.choice.by if field.choice else ''} decides"
-        text += ", and is not the first before it to count its bytes as a binary `u8` or `u16` without a `range`"
+        text += f", and is not the first before it to count its bytes without a `range`, as {COUNTING}"
         yield finding(_CODE, other.place, "measures", text, "state it so, or remove `measures`")
     for case in field.choice.cases if field.choice is not None else ():
         if case.value.parameter is not None:

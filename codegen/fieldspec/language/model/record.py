@@ -205,18 +205,35 @@ class Record(Fact):
 def list_count(record: Record, field: Field) -> Field | None:
     """The field before a list that decides how many elements it has if another list follows, None if there is none.
 
-    It is a binary number of one or two bytes without a sign, or has the number in some of its bits.
+    It is a number that `can_count`, or has the number in some of its bits.
     """
     if (bits := bit_count(record, field.name)) is not None:
         return bits[0]
     for other in record.fields[: record.fields.index(field)]:
-        value = other.value
-        if other.measures is None or other.measures.field != field.name or value is None or other.is_list:
-            continue
-        is_number = is_count(value.encoding) and not is_signed(value.encoding) and not value.digits
-        if is_number and value.size <= 2:
+        is_measure = other.measures is not None and other.measures.field == field.name and not other.is_list
+        if is_measure and other.value is not None and can_count(other.value):
             return other
     return None
+
+
+def can_count(value: Value) -> bool:
+    """Whether a number may say where something ends that other data follow.
+
+    It is a binary number of one or two bytes without a sign, or decimal digits or hexadecimal ones of a fixed number.
+    """
+    if not is_count(value.encoding) or is_signed(value.type.encoding):
+        return False
+    if not value.digits:
+        return value.size <= 2
+    is_plain = not (value.width or value.places or value.has_blanks or value.is_low_first)
+    return value.has_characters and is_plain and value.high <= _MOST_COUNTED
+
+
+COUNTING = "a binary `u8` or `u16`, or plain `digits`"
+"""What such numbers are."""
+
+_MOST_COUNTED = 999_999_999
+"""The greatest size in digits, which programs in C compute with."""
 
 
 def bit_count(record: Record, name: str) -> tuple[Field, Measure] | None:
@@ -234,7 +251,7 @@ def choice_count(record: Record, field: Field) -> Field | None:
 def text_count(record: Record, field: Field) -> Field | None:
     """The field before a text that varies in width that has its number of bytes, None if there is none.
 
-    It is an unsigned binary number of one or two bytes without any other meaning, or has the number in its bits.
+    It is a number that `can_count` and has no other meaning, or has the number in its bits.
     """
     if field.value is None or not field.value.width or not is_text(field.value.encoding):
         return None
@@ -244,9 +261,8 @@ def text_count(record: Record, field: Field) -> Field | None:
         value, measure = other.value, other.measures
         if measure is None or measure.field != field.name or measure.of != "bytes" or value is None or other.is_list:
             continue
-        is_number = is_count(value.encoding) and not is_signed(value.encoding) and not value.digits and value.size <= 2
         has_meaning = value.const is not None or value.enum or value.flags or value.sentinels or value.scaled
-        if is_number and not has_meaning and not other.reserved and measure.plus >= 0:
+        if can_count(value) and not has_meaning and not other.reserved and measure.plus >= 0:
             return other
     return None
 
