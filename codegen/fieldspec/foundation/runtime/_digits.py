@@ -195,8 +195,8 @@ def no_digits(name: str, raw: bytes, at: int) -> CodecError:
 
 
 def size_in(data: bytes, order: str) -> int | None:
-    """The number in a field with the size of another one, binary in an `order`, or as digits of that form; None for what
-    are no digits.
+    """The number in a field with the size of another one: binary in an `order`, or digits of that form; None for other
+    bytes.
     """
     if order in ("big", "little"):
         return int.from_bytes(data, "big" if order == "big" else "little")

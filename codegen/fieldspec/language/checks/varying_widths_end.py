@@ -206,7 +206,8 @@ def _other_sizes(fact: Fact) -> str:
     """What to write for a text whose size is a number that is not read before its end is known."""
     size = fact.value.size if isinstance(fact, Field) and fact.value is not None else 0
     listed = f"`type: u8, repeat: 0..{size}`"
-    return f"state its characters as the last field of a message, {listed}; or let the size be {COUNTING}, if that is how it is sent"
+    size_help = f"let the size be {COUNTING}, if that is how it is sent"
+    return f"state its characters as the last field of a message, {listed}; or {size_help}"
 
 
 def _end(body: Record, field: Field) -> Iterator[Diagnostic]:
