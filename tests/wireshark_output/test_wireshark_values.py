@@ -111,7 +111,7 @@ def test_bytes_that_are_no_digits_are_reported_as_the_reference_reports_them() -
     rows = [(place, piece) for table in (wrong, also_right) for place, pieces in table.items() for piece in pieces]
     bodies = [right, *([*right[:place], piece, *right[place + 1 :]] for place, piece in rows)]
     frames = [b"\1" + b"".join(pieces) for pieces in bodies]
-    found = results([Case(layout, "line", "request", "write", b"", frame) for frame in frames])
-    for case, items in found:
+    dissections = results([Case(layout, "line", "request", "write", b"", frame) for frame in frames])
+    for case, items in dissections:
         expect_findings(case, case.explanation(), items)
-    assert [bool(case.explanation().reasons) for case, _ in found].count(True) == sum(map(len, wrong.values()))
+    assert [bool(case.explanation().reasons) for case, _ in dissections].count(True) == sum(map(len, wrong.values()))

@@ -7,7 +7,7 @@ from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.presence import bit_presence
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import replace
-from fieldspec.language.model.record import list_count, text_count
+from fieldspec.language.model.counts import list_count, text_count
 
 
 def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists:

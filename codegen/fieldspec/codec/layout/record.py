@@ -257,9 +257,7 @@ class RecordLayout:
 
     @property
     def count_of_text(self) -> tuple[FieldLayout, int] | None:
-        """The binary field with the bytes of the only value that varies in width, and all others, less what that field
-        contains in addition; None for other records.
-        """
+        """The binary field with the bytes of the only value that varies, and all others less what it adds; or None."""
         varying = [span for span in self.spans if span.value is not None]
         if len(varying) != 1 or varying[0].count is None:
             return None

@@ -185,7 +185,9 @@ def value_form(value: Value) -> str:
 
 def order_data(order: str) -> dict[str, str | int | bool]:
     """The form of a number that counts, as programs in JavaScript have it."""
-    return {"big": {}, "little": {"little": True}}.get(order, {"digits": order})
+    if order in ("big", "little"):
+        return {"little": True} if order == "little" else {}
+    return {"digits": order}
 
 
 def span_data(span: Span) -> dict[str, str | int | bool]:

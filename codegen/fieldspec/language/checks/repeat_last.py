@@ -23,8 +23,9 @@ from collections.abc import Iterator
 from fieldspec.language.checks.facts import layers
 from fieldspec.language.checks.finding import finding, label
 from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.counts import COUNTING, list_count
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.record import COUNTING, Field, Message, Record, list_count
+from fieldspec.language.model.record import Field, Message, Record
 from fieldspec.language.model.sizes import RecordSizes
 
 _CODE = "repeat_last"

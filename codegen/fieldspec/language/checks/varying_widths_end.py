@@ -23,12 +23,13 @@ from collections.abc import Iterator
 from fieldspec.language.checks.facts import layers, values
 from fieldspec.language.checks.finding import finding, label, range_key
 from fieldspec.language.diagnostics import Diagnostic
+from fieldspec.language.model.counts import COUNTING, can_count, choice_count, text_count
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.digits import digits_letters, digits_text, has_sign
 from fieldspec.language.model.encoding import is_array, is_signed, is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import merged
-from fieldspec.language.model.record import COUNTING, Case, Field, Message, Record, can_count, choice_count, text_count
+from fieldspec.language.model.record import Case, Field, Message, Record
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.text_form import PACKED_ASCII, UTF_16
 from fieldspec.language.model.value import Value
@@ -50,7 +51,7 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
         for case in field.choice.cases
         if is_array(case.value.encoding)
     }
-    counted = {
+    unfit_sizes = {
         id(layer.named(field.measures.field))
         for layer in layers(device)
         for field in layer.fields
@@ -68,7 +69,7 @@ def varying_widths_end(device: Device) -> Iterator[Diagnostic]:
         is_case = id(fact) in cases
         problem = "" if is_case and value.is_marked else _form(value) or ("" if is_case else _place(fact, is_in_place))
         if problem:
-            cure = _other_sizes(fact) if id(fact) in counted else _cure(fact, value, is_in_place)
+            cure = _other_sizes(fact) if id(fact) in unfit_sizes else _cure(fact, value, is_in_place)
             yield finding(_CODE, fact.place, "varies", f"{fact.name} {problem}", cure)
     for message in device.messages.values():
         for body in _bodies(message):
@@ -205,9 +206,9 @@ def _of_count(body: Record, field: Field, text: Field) -> Iterator[Diagnostic]:
 def _other_sizes(fact: Fact) -> str:
     """What to write for a text whose size is a number that is not read before its end is known."""
     size = fact.value.size if isinstance(fact, Field) and fact.value is not None else 0
-    listed = f"`type: u8, repeat: 0..{size}`"
+    list_form = f"`type: u8, repeat: 0..{size}`"
     size_help = f"let the size be {COUNTING}, if that is how it is sent"
-    return f"state its characters as the last field of a message, {listed}; or {size_help}"
+    return f"state its characters as the last field of a message, {list_form}; or {size_help}"
 
 
 def _end(body: Record, field: Field) -> Iterator[Diagnostic]:

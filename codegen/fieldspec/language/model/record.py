@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from itertools import takewhile
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.encoding import is_count, is_signed, is_text
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.language.model.fact import Fact
@@ -73,8 +72,8 @@ class Choice:
 
     @property
     def has_widths(self) -> bool:
-        """Whether one of the types is a text, or bytes, that vary in length, which another field counts."""
-        return any(case.value.width for case in self.cases)
+        """Whether one of the types is a text, or bytes, that another field counts, or has no bytes."""
+        return any(case.value.width or not case.value.size for case in self.cases)
 
     def enum_of(self, selector: Field | None, words: Mapping[str, Flags]) -> str:
         """The name of the enum whose members decide; empty where the field that decides has none."""
@@ -200,71 +199,6 @@ class Record(Fact):
     def named(self, name: str) -> Field | None:
         """The field with a name, None if there is none."""
         return next((field for field in self.fields if field.name == name), None)
-
-
-def list_count(record: Record, field: Field) -> Field | None:
-    """The field before a list that decides how many elements it has if another list follows, None if there is none.
-
-    It is a number that `can_count`, or has the number in some of its bits.
-    """
-    if (bits := bit_count(record, field.name)) is not None:
-        return bits[0]
-    for other in record.fields[: record.fields.index(field)]:
-        is_measure = other.measures is not None and other.measures.field == field.name and not other.is_list
-        if is_measure and other.value is not None and can_count(other.value):
-            return other
-    return None
-
-
-def can_count(value: Value) -> bool:
-    """Whether a number may say where something ends that other data follow.
-
-    It is a binary number of one or two bytes without a sign, or decimal digits or hexadecimal ones of a fixed number.
-    """
-    if not is_count(value.encoding) or is_signed(value.type.encoding):
-        return False
-    if not value.digits:
-        return value.size <= 2
-    is_plain = not (value.width or value.places or value.has_blanks or value.is_low_first)
-    return value.has_characters and is_plain and value.high <= _MOST_COUNTED
-
-
-COUNTING = "a binary `u8` or `u16`, or plain `digits`"
-"""What such numbers are."""
-
-_MOST_COUNTED = 999_999_999
-"""The greatest size in digits, which programs in C compute with."""
-
-
-def bit_count(record: Record, name: str) -> tuple[Field, Measure] | None:
-    """The field that has the size of another one in some of its bits, and what they contain; None if there is none."""
-    return next(((other, own) for other in record.fields if (own := other.bit_measure) and own.field == name), None)
-
-
-def choice_count(record: Record, field: Field) -> Field | None:
-    """The field before a single one with several types that has its number of bytes, None if there is none."""
-    count = list_count(record, field) if field.choice is not None and not field.is_list else None
-    is_right = count is not None and count.measures is not None and count.measures.of == "bytes"
-    return count if is_right and count is not None and count.value is not None and count.value.ranges is None else None
-
-
-def text_count(record: Record, field: Field) -> Field | None:
-    """The field before a text that varies in width that has its number of bytes, None if there is none.
-
-    It is a number that `can_count` and has no other meaning, or has the number in its bits.
-    """
-    if field.value is None or not field.value.width or not is_text(field.value.encoding):
-        return None
-    if (bits := bit_count(record, field.name)) is not None:
-        return bits[0]
-    for other in record.fields[: record.fields.index(field)]:
-        value, measure = other.value, other.measures
-        if measure is None or measure.field != field.name or measure.of != "bytes" or value is None or other.is_list:
-            continue
-        has_meaning = value.const is not None or value.enum or value.flags or value.sentinels or value.scaled
-        if can_count(value) and not has_meaning and not other.reserved and measure.plus >= 0:
-            return other
-    return None
 
 
 @dataclass(frozen=True, slots=True)
