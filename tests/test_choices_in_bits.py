@@ -53,7 +53,7 @@ def test_the_other_bits_do_not_matter_to_the_type_and_are_written_again(record: 
 @pytest.mark.parametrize(
     ("records", "reason", "place"),
     [
-        ("02 13 01 00 08 13", "unknown_value", 4),
+        ("02 13 01 00 0D 13", "unknown_value", 4),
         ("4D 13 02 41 42", "unknown_value", 0),
         ("04 13 01 02 03", "incomplete", 5),
     ],

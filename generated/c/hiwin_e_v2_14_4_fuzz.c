@@ -31,7 +31,7 @@ static void hold(bool so)
 #define RECORD(type, decode, encode, most, exact) \
     do { \
         type value, second; \
-        uint8_t out[most], again[most]; \
+        uint8_t out[most] = {0}, again[most] = {0}; \
         uint8_t *room; \
         size_t length = 0, beyond = 0; \
         memset(&value, 0, sizeof value); \
@@ -59,7 +59,7 @@ static void hold(bool so)
 #define PACKED(type, unpack, pack, length) \
     do { \
         type value; \
-        uint8_t out[length], again[length]; \
+        uint8_t out[length] = {0}, again[length] = {0}; \
         if (size < (length)) { \
             break; \
         } \
@@ -74,7 +74,7 @@ static void hold(bool so)
 /* A record without values, which has only one form. */
 #define FIXED(decode, encode, most, exact) \
     do { \
-        uint8_t out[(most) + 1u]; \
+        uint8_t out[(most) + 1u] = {0}; \
         size_t length = 0; \
         if (decode(data, size) != HIWIN_E_OK) { \
             break; \
@@ -87,7 +87,7 @@ static void hold(bool so)
 #define VALUE(type, decode, encode, held, length) \
     do { \
         type value; \
-        uint8_t out[length]; \
+        uint8_t out[length] = {0}; \
         if (size < (length) || decode(data, &value) != HIWIN_E_OK || encode(value, out) == HIWIN_E_ERR_OUT_OF_RANGE) { \
             break; \
         } \
@@ -98,7 +98,7 @@ static void hold(bool so)
 #define CONSTANT(type, decode, encode, length) \
     do { \
         type value; \
-        uint8_t out[length]; \
+        uint8_t out[length] = {0}; \
         hold(encode(out) == HIWIN_E_OK && decode(out, &value) == HIWIN_E_OK); \
         hold(size < (length) || decode(data, &value) != HIWIN_E_ERR_WRONG_CONST); \
     } while (0)
@@ -108,7 +108,7 @@ static void hold(bool so)
 #define TRIGGER(type, argument, decode, encode, held, length) \
     do { \
         type value; \
-        uint8_t out[length]; \
+        uint8_t out[length] = {0}; \
         if (size < (length)) { \
             break; \
         } \
@@ -157,9 +157,6 @@ static void frame_1(const uint8_t *data, size_t size)
     size_t length = 0;
     hiwin_e_codec_status status;
     memset(&opened, 0, sizeof opened);
-    if (size < GIVEN) {
-        return;
-    }
     memcpy(out + 0, data + GIVEN, size - GIVEN);
     if (hiwin_e_cyclic_request_close(size - GIVEN, out, sizeof out, &length) != HIWIN_E_OK) {
         return;
@@ -167,7 +164,7 @@ static void frame_1(const uint8_t *data, size_t size)
     status = hiwin_e_cyclic_request_open(out, length, &opened);
     hold(status == HIWIN_E_OK);
     hold(opened.body_length == size - GIVEN);
-    hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
+    hold(opened.body != NULL && memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
 }
 
 static void frame_2(const uint8_t *data, size_t size)
@@ -194,9 +191,6 @@ static void frame_3(const uint8_t *data, size_t size)
     size_t length = 0;
     hiwin_e_codec_status status;
     memset(&opened, 0, sizeof opened);
-    if (size < GIVEN) {
-        return;
-    }
     memcpy(out + 0, data + GIVEN, size - GIVEN);
     if (hiwin_e_cyclic_response_close(size - GIVEN, out, sizeof out, &length) != HIWIN_E_OK) {
         return;
@@ -204,7 +198,7 @@ static void frame_3(const uint8_t *data, size_t size)
     status = hiwin_e_cyclic_response_open(out, length, &opened);
     hold(status == HIWIN_E_OK);
     hold(opened.body_length == size - GIVEN);
-    hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
+    hold(opened.body != NULL && memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
 }
 
 static void frame_4(const uint8_t *data, size_t size)
@@ -246,7 +240,7 @@ static void frame_5(const uint8_t *data, size_t size)
     hold(opened.request_reference == data[0]);
     hold(opened.code == data[1]);
     hold(opened.body_length == size - GIVEN);
-    hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
+    hold(opened.body != NULL && memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
 }
 
 static void frame_6(const uint8_t *data, size_t size)
@@ -288,7 +282,7 @@ static void frame_7(const uint8_t *data, size_t size)
     hold(opened.request_reference == data[0]);
     hold(opened.code == (data[1] & 127u));
     hold(opened.body_length == size - GIVEN);
-    hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
+    hold(opened.body != NULL && memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -31,7 +31,7 @@ static void hold(bool so)
 #define RECORD(type, decode, encode, most, exact) \
     do { \
         type value, second; \
-        uint8_t out[most], again[most]; \
+        uint8_t out[most] = {0}, again[most] = {0}; \
         uint8_t *room; \
         size_t length = 0, beyond = 0; \
         memset(&value, 0, sizeof value); \
@@ -59,7 +59,7 @@ static void hold(bool so)
 #define PACKED(type, unpack, pack, length) \
     do { \
         type value; \
-        uint8_t out[length], again[length]; \
+        uint8_t out[length] = {0}, again[length] = {0}; \
         if (size < (length)) { \
             break; \
         } \
@@ -75,7 +75,7 @@ static void hold(bool so)
 #define VALUE(type, decode, encode, held, length) \
     do { \
         type value; \
-        uint8_t out[length]; \
+        uint8_t out[length] = {0}; \
         if (size < (length) || decode(data, &value) != TC100_OK || encode(value, out) == TC100_ERR_OUT_OF_RANGE) { \
             break; \
         } \
@@ -86,7 +86,7 @@ static void hold(bool so)
 #define ARRAY(declared, decode, encode, exact, length) \
     do { \
         declared, second[sizeof value]; \
-        uint8_t out[length], again[length]; \
+        uint8_t out[length] = {0}, again[length] = {0}; \
         if (size < (length) || decode(data, value) != TC100_OK) { \
             break; \
         } \
@@ -98,7 +98,7 @@ static void hold(bool so)
 #define CONSTANT(type, decode, encode, length) \
     do { \
         type value; \
-        uint8_t out[length]; \
+        uint8_t out[length] = {0}; \
         hold(encode(out) == TC100_OK && decode(out, &value) == TC100_OK); \
         hold(size < (length) || decode(data, &value) != TC100_ERR_WRONG_CONST); \
     } while (0)
@@ -108,7 +108,7 @@ static void hold(bool so)
 #define TRIGGER(type, argument, decode, encode, held, length) \
     do { \
         type value; \
-        uint8_t out[length]; \
+        uint8_t out[length] = {0}; \
         if (size < (length)) { \
             break; \
         } \
@@ -172,7 +172,7 @@ static void frame_1(const uint8_t *data, size_t size)
     hold(opened.unit_address == data[0]);
     hold(opened.code == data[1]);
     hold(opened.body_length == size - GIVEN);
-    hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
+    hold(opened.body != NULL && memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
 }
 
 static void frame_2(const uint8_t *data, size_t size)
@@ -214,7 +214,7 @@ static void frame_3(const uint8_t *data, size_t size)
     hold(opened.unit_address == data[0]);
     hold(opened.code == (data[1] & 127u));
     hold(opened.body_length == size - GIVEN);
-    hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
+    hold(opened.body != NULL && memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
 }
 
 static void frame_4(const uint8_t *data, size_t size)
@@ -258,7 +258,7 @@ static void frame_5(const uint8_t *data, size_t size)
     hold(opened.unit_address == data[0]);
     hold(opened.code == data[1]);
     hold(opened.body_length == size - GIVEN);
-    hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
+    hold(opened.body != NULL && memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
 }
 
 static void frame_6(const uint8_t *data, size_t size)
@@ -302,7 +302,7 @@ static void frame_7(const uint8_t *data, size_t size)
     hold(opened.unit_address == data[0]);
     hold(opened.code == (data[1] & 127u));
     hold(opened.body_length == size - GIVEN);
-    hold(memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
+    hold(opened.body != NULL && memcmp(opened.body, data + GIVEN, size - GIVEN) == 0);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

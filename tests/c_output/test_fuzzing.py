@@ -73,3 +73,17 @@ def test_a_fuzzer_finds_what_is_wrong(
     root: Path, device: str, right: str, wrong: str, expected_text: str, tmp_path: Path
 ) -> None:
     assert expected_text in fuzzed(tmp_path, root, device, 60, right, wrong)
+
+
+@pytest.mark.proof(8)
+@pytest.mark.parametrize("level", ["-O0", "-O1", "-O2", "-O3"])
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("device", ["armband", "compass", "gadget", "widget"])
+def test_compilers_warn_of_nothing_in_a_fuzz_target(device: str, compiler: str, level: str, tmp_path: Path) -> None:
+    layout = newest(TEST_SPECS, device)
+    for path, text in files([layout]).items():
+        (tmp_path / path).write_text(text, encoding="utf-8", newline="\n")
+    source = tmp_path / f"{stem(device, layout.device.version)}_fuzz.c"
+    command = [require_tool(compiler), "-std=c99", level, "-Wall", "-Wextra", "-Werror", "-c", str(source)]
+    run = subprocess.run([*command, "-o", str(tmp_path / "target.o")], capture_output=True, text=True, check=False)
+    assert run.stderr == ""

@@ -298,7 +298,9 @@ def _unset_record(record: RecordLayout) -> str:
 
 
 def _literal(value: Value) -> str:
-    """The constant of a value in C."""
+    """The constant of a value in C, or bytes that there are none of."""
+    if is_octets(value.encoding):
+        return "in"
     if not is_signed(value.encoding):
         return f"{value.const}ull"
     return f"(int64_t)({(value.const or 0) + 1}ll - 1)"
@@ -316,7 +318,7 @@ def _show_value(value: Value, place: str) -> str:
         case Text():
             return f'show((const uint8_t *){place}, strlen({place})); printf(";");'
         case Octets():
-            arguments = f"{place}.data, {place}.count" if value.is_marked else f"{place}, {value.size}"
+            arguments = f"{place}.data, {place}.count" if value.is_marked else f"(const uint8_t *){place}, {value.size}"
             return f'show({arguments}); printf(";");'
         case Real():
             return f"{_show_real(encoding.precision)}({place});"

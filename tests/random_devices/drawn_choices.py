@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import BOUNDS, SIZES, Draft, EnumDraft, Spec
+from random_devices.drawn_presences import count_type
 from random_devices.drawn_values import value, varying_text
 
 
@@ -51,15 +52,27 @@ def _cases(draft: Draft, enum: EnumDraft) -> list[Spec]:
     return cases
 
 
+def leave_empty(draft: Draft, choice: Spec) -> None:
+    """Lets the last case of a field with several types have no bytes, now and then."""
+    cases = choice["choice"]["cases"]
+    if len(cases) > 1 and draft.chance(25):
+        _retype(cases[-1], {"type": "bytes", "length": 0})
+
+
+def _retype(case: Spec, keys: Spec) -> None:
+    """Gives a case another type."""
+    stated = {key: case[key] for key in ("name", "when", "source", "doc", "label") if key in case}
+    case.clear()
+    case |= {**stated, **keys}
+
+
 def choice_counter(draft: Draft, choice: Spec) -> Spec:
     """The number of bytes of a field with several types: now and then, texts or bytes of varying length."""
     for case in choice["choice"]["cases"][: draft.number(0, 2)]:
-        stated = {key: case[key] for key in ("name", "when", "source", "doc", "label") if key in case}
-        case.clear()
         varying_bytes = {"type": "bytes", "length": draft.number(1, 9), "varies": True}
-        case |= {**stated, **(varying_bytes if draft.chance(50) else varying_text(draft))}
+        _retype(case, varying_bytes if draft.chance(50) else varying_text(draft))
     plus = {"plus": draft.pick((1, 2, 5))} if draft.chance(25) else {}
-    count = draft.fact(type=draft.pick(("u8", "u16")), measures={"bytes": choice["name"], **plus})
+    count = draft.fact(**count_type(draft, ("u8", "u16")), measures={"bytes": choice["name"], **plus})
     if count["type"] == "u16" and draft.chance(25):
         count["byte_order"] = draft.pick(("big", "little"))
     return count

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from random_devices.draft import BOUNDS, Draft, RecordDraft, Spec
-from random_devices.drawn_choices import choice_counter, closed_enums, deciding_fields
+from random_devices.drawn_choices import choice_counter, closed_enums, deciding_fields, leave_empty
 from random_devices.drawn_presences import (
     continued_list,
     count_type,
@@ -342,6 +342,7 @@ def _choice_between(draft: Draft, fields: list[Spec]) -> list[Spec]:
     if decided is None:
         return fields
     selector, choice = decided
+    leave_empty(draft, choice)
     before = _inserted(draft, fields, selector)
     before = _inserted(draft, before, choice_counter(draft, choice)) if draft.chance(40) else before
     return [*before, choice, *_behind(draft)]
@@ -379,6 +380,8 @@ def _choosing(draft: Draft, fields: list[Spec]) -> list[Spec]:
     is_wide = "bits" in last["choice"] and selector["type"] != "u8"
     if draft.chance(50) and not is_wide and not any("const" in case for case in cases):
         last["repeat"] = _limits(draft)
+    if "repeat" not in last:
+        leave_empty(draft, last)
     before = _inserted(draft, fields, selector)
     if "repeat" in last and draft.chance(50):
         measure = draft.fact(type="u8", measures={"items": last["name"]})

@@ -28,6 +28,8 @@ COUNT_DIGITS: tuple[tuple[Spec, int], ...] = (
     ({"type": "u8", "digits": "upper_hex", "length": 2}, 0xFF),
     ({"type": "u16", "digits": "lower_hex", "length": 4, "byte_order": "little"}, 0xFFFF),
     ({"type": "u32", "digits": "decimal", "length": 5, "places": 2}, 9999),
+    ({"type": "u16", "digits": "decimal", "length": 3}, 999),
+    ({"type": "u32", "digits": "lower_hex", "length": 5}, 0xFFFFF),
     ({"type": "u16", "digits": "decimal", "length": 3, "padding": "space"}, 999),
     ({"type": "u16", "digits": "bcd", "length": 2}, 9999),
     ({"type": "u16", "digits": "packed_decimal", "length": 2}, 999),

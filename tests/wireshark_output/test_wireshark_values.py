@@ -9,9 +9,10 @@ from fractions import Fraction
 
 from fieldspec.targets.wireshark.backend import refusals
 from fieldspec.targets.wireshark.values import scale_data
-from layouts import SPECS, TEST_SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layout_at, layouts
+from spec_files import gadget
 from wireshark_output.dissection import pcap, tshark
-from wireshark_output.expectations import Case, conversation, expect, results
+from wireshark_output.expectations import Case, conversation, expect, expect_findings, results
 
 DEVICES = {
     name: versions[-1]
@@ -72,3 +73,45 @@ def test_damaged_frames_bring_up_no_error_of_the_program() -> None:
 def test_a_quantity_has_the_decimals_of_its_scale_and_a_fraction_has_none() -> None:
     assert scale_data(Decimal("0.25"), Decimal(0)) == {"factor": 1, "shift": 0, "divisor": 4, "places": 2}
     assert scale_data(Fraction(100, 255), Decimal(-3)) == {"factor": 20, "shift": -153, "divisor": 51, "places": 0}
+
+
+_DIGITS = """
+links:
+  - name: line
+    transmission: binary
+    byte_order: big
+    source: 1 L1
+    frame: [{name: code, role: code, type: u8}, {name: data, role: body}]
+messages:
+  - name: write
+    code: 1
+    answered_on: []
+    source: 1 L2
+    request:
+      - {name: plain, type: u16, digits: decimal, length: 3}
+      - {name: signed, type: i16, digits: decimal, length: 6, places: 1}
+      - {name: blank, type: i16, digits: decimal, length: 4, padding: space}
+      - {name: upper, type: u8, digits: upper_hex, length: 2}
+      - {name: packed, type: u16, digits: bcd, length: 2}
+"""
+
+
+def test_bytes_that_are_no_digits_are_reported_as_the_reference_reports_them() -> None:
+    spec = gadget(_DIGITS)
+    layout = layout_at(spec, spec.versions()[-1])
+    right = [b"120", b"-123.4", b" -12", b"0F", b"\x12\x99"]
+    wrong = {
+        0: [b"1 0", b"1:0", b"+12"],
+        1: [b"0012.3", b"+1234.", b"-12433"],
+        2: [b"  00", b"0001", b"  - ", b"  +1", b"    "],
+        3: [b"0f", b"0G"],
+        4: [b"\x1a\x00", b"\xa1\x00"],
+    }
+    also_right = {1: [b"+000.0"], 2: [b"   0", b"1234"], 4: [b"\0\x25", b"@I"]}
+    rows = [(place, piece) for table in (wrong, also_right) for place, pieces in table.items() for piece in pieces]
+    bodies = [right, *([*right[:place], piece, *right[place + 1 :]] for place, piece in rows)]
+    frames = [b"\1" + b"".join(pieces) for pieces in bodies]
+    dissections = results([Case(layout, "line", "request", "write", b"", frame) for frame in frames])
+    for case, items in dissections:
+        expect_findings(case, case.explanation(), items)
+    assert [bool(case.explanation().reasons) for case, _ in dissections].count(True) == sum(map(len, wrong.values()))

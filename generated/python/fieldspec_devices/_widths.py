@@ -6,14 +6,13 @@ and their sign, and texts are filled up with zeros.
 
 from __future__ import annotations
 
+from ._digits import size_data, size_in
 from ._error import CodecError
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import Any, Literal, TypeAlias
-
-    Order: TypeAlias = Literal["big", "little"]
+    from typing import Any
 
 _LETTERS = {"decimal": b"0123456789", "upper_hex": b"0123456789ABCDEF", "lower_hex": b"0123456789abcdef"}
 
@@ -70,13 +69,13 @@ class Widths:
     """The fields of a record: each has a name, and its bytes or the letters of a value that varies in width.
 
     `counts` are the texts whose number of bytes another field has, by their numbers: the number of that field, its
-    bytes, their order, and what it contains in addition.
+    bytes, their order or the form of their digits, and what it contains in addition.
     """
 
     __slots__ = ("counts", "fields", "title")
 
     def __init__(
-        self, title: str, *fields: tuple[str, int | str], counts: dict[int, tuple[int, int, Order, int]] | None = None
+        self, title: str, *fields: tuple[str, int | str], counts: dict[int, tuple[int, int, str, int]] | None = None
     ) -> None:
         self.title, self.counts = title, counts or {}
         self.fields = [(name, form if isinstance(form, int) else Varying(form)) for name, form in fields]
@@ -103,7 +102,7 @@ class Widths:
                     raise CodecError("unknown_value", f"{name} has the character that ends it")
             if len(pieces) in self.counts:
                 number, count_size, order, plus = self.counts[len(pieces)]
-                pieces[number] = (len(piece) + plus).to_bytes(count_size, order)
+                pieces[number] = size_data(len(piece) + plus, count_size, order)
             pieces.append(piece)
         return b"".join(pieces)
 
@@ -118,12 +117,12 @@ class Widths:
             if len(pieces) in self.counts and not isinstance(form, int):
                 number, count_size, order, plus = self.counts[len(pieces)]
                 count_at = starts[number]
-                length = int.from_bytes(data[count_at : count_at + count_size], order) - plus
-                if not 0 <= length <= form.most:
+                length = size_in(data[count_at : count_at + count_size], order)
+                if length is None or not 0 <= length - plus <= form.most:
                     text = f"{self.fields[number][0]} is not a number of bytes"
-                    raise unfit or CodecError("wrong_measure", text, count_at)
-                stop = at + length
-                pieces[number] = (form.size + plus).to_bytes(count_size, order)
+                    raise unfit or CodecError("unknown_value" if length is None else "wrong_measure", text, count_at)
+                stop = at + length - plus
+                pieces[number] = size_data(form.size + plus, count_size, order)
             if not at <= stop <= len(data):
                 raise unfit or CodecError("incomplete", f"{name} has no end", len(data))
             piece = data[at:stop] if isinstance(form, int) else form.widened(data[at:stop])

@@ -7,6 +7,7 @@ from fieldspec.codec.layout.decision import Decision
 from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.packing import packing_data
 from fieldspec.codec.layout.presence import presence_data
+from fieldspec.codec.layout.widths import order_data
 from fieldspec.foundation.classes import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -23,7 +24,6 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
     bounds = {"element": row.element, "least": row.least, "most": row.most}
     count = {"at": row.count_at, "length": row.count_size if row.count else 0, "unit": row.unit}
     plus = {"plus": row.plus} if row.plus else {}
-    is_little = {"little": True} if row.count_order == "little" else {}
     parts = {"parts": inner_lists_data(row.parts)} if row.parts is not None else {}
     decision = {"decision": _decision_row(row.decision)} if row.decision is not None else {}
     packing = {"packing": packing_data(row.packing)} if row.packing is not None else {}
@@ -32,7 +32,7 @@ def _inner_list_row(row: InnerList) -> dict[str, Any]:
     places = {"first": row.first, "room": row.room}
     continuation = {"more": continuation_data(row.continuation)} if row.continuation is not None else {}
     kinds = {**parts, **decision, **packing, **presence, **sent_plus, **continuation}
-    return {**names, **places, **bounds, **count, **plus, **is_little, **kinds}
+    return {**names, **places, **bounds, **count, **plus, **order_data(row.count_order), **kinds}
 
 
 def _decision_row(row: Decision) -> dict[str, Any]:

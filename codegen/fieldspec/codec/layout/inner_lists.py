@@ -18,10 +18,8 @@ from fieldspec.codec.layout.list_extents import ListExtent, ListFault
 from fieldspec.codec.layout.packing import Packing
 from fieldspec.codec.layout.presence import PresenceLayout
 from fieldspec.codec.layout.widths import WidthError
-from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
-
-if TYPE_CHECKING:
-    from typing import Literal
+from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.runtime._digits import size_data, size_in
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,15 +27,14 @@ class InnerList:
     """The list `name` begins after `first` bytes of other fields, not counting lists, and at `room` in the image.
 
     It has `least` to `most` bytes in the image, `element` for each element. The field `count` is at `count_at` in the
-    image and has `count_size` bytes in the order `count_order`; its number, less `plus`, counts units of `unit` bytes.
-    `count` is empty where the number is always the same, and where the data end with the list and the fields
-    after it. `parts` tell the size of an element from its bytes, a `decision` from a field before it; both are None
-    where all have the same size. Elements with a `packing` are sent in fewer bits than they have in the image. With a
-    `presence`, bits of the number say whether the only element is sent, or have the count. With a `sent_plus`, the
-    number is that of elements only in the image: what is sent is the number of their sent bytes and this number more.
-    Bits with that number are the same in the image.
-    With a `continuation`, each element says whether another one follows, wherever the list is, and a number whether
-    there is a first one.
+    image and has `count_size` bytes in the order, or of the digits, `count_order`; its number, less `plus`, counts
+    units of `unit` bytes. `count` is empty where the number is always the same, and where the data end with the list
+    and the fields after it. `parts` tell the size of an element from its bytes, a `decision` from a field before it;
+    both are None where all have the same size. Elements with a `packing` are sent in fewer bits than they have in the
+    image. With a `presence`, bits of the number say whether the only element is sent, or have the count. With a
+    `sent_plus`, the number is that of elements only in the image: what is sent is the number of their sent bytes and
+    this number more. Bits with that number are the same in the image. With a `continuation`, each element says whether
+    another one follows, wherever the list is, and a number whether there is a first one.
     """
 
     name: str
@@ -59,8 +56,10 @@ class InnerList:
     sent_plus: int | None = None
     continuation: Continuation | None = None
 
-    def size_of(self, number: int) -> int | None:
+    def size_of(self, number: int | None) -> int | None:
         """The bytes in the image if the count is a number, None if it may not be that number."""
+        if number is None:
+            return None
         if self.decision is not None:
             size = self.element
         elif self.presence is not None:
@@ -74,10 +73,9 @@ class InnerList:
         """Whether the list can have a number of bytes in the image."""
         return size % self.element == 0 and self.least <= size <= self.most
 
-    def count_in(self, image: bytes) -> int:
-        """The number of the field that counts the list, in an image that goes that far."""
-        order: Literal["big", "little"] = "big" if self.count_order == "big" else "little"
-        return int.from_bytes(image[self.count_at : self.count_at + self.count_size], order)
+    def count_in(self, image: bytes) -> int | None:
+        """The number of the field that counts the list, in an image that goes that far; None for no digits."""
+        return size_in(image[self.count_at : self.count_at + self.count_size], self.count_order)
 
     def size_in(self, image: bytes) -> int | None:
         """The bytes in the image of a list that does not end with the data, None for a wrong count.
@@ -90,7 +88,7 @@ class InnerList:
 
     def sent_number_in(self, data: bytes) -> int:
         """The sent bytes that a number counts which is sent in place of the one in the image, or some of its bits."""
-        number = self.count_in(data)
+        number = self.count_in(data) or 0
         return (number if self.presence is None else self.presence.bits_in(number)) - (self.sent_plus or 0)
 
     def sent_bytes_in(self, data: bytes) -> int | None:
@@ -105,9 +103,8 @@ class InnerList:
         """
         if self.presence is not None:
             return image
-        order: Literal["big", "little"] = "big" if self.count_order == "big" else "little"
         stop = self.count_at + self.count_size
-        return image[: self.count_at] + number.to_bytes(self.count_size, order) + image[stop:]
+        return image[: self.count_at] + size_data(number, self.count_size, self.count_order) + image[stop:]
 
     def room_size_in(self, image: bytes) -> int | None:
         """The same, in an image that has the elements as well."""
@@ -163,6 +160,8 @@ class InnerLists:
     ) -> ListExtent | ListFault:
         """The bytes of a list with which data begin, maybe more than these have; of the last one, to their end."""
         start = inner.first + sum(extent.size for extent in extents)
+        if inner.count and inner.count_in(image) is None:
+            return ListFault("unknown_value", self.place_in_data(extents, inner.count_at))
         if inner.decision is not None:
             size = inner.decision.size_in(image)
             if size is None:

@@ -7,7 +7,7 @@ from fieldspec.codec.layout.inner_lists import InnerList, InnerLists
 from fieldspec.codec.layout.presence import bit_presence
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.classes import replace
-from fieldspec.language.model.record import list_count, text_count
+from fieldspec.language.model.counts import list_count, text_count
 
 
 def inner_lists_of(record: RecordLayout, is_element: bool = False) -> InnerLists:
@@ -74,4 +74,4 @@ def _with_count(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
 
 def _with_number_at(inner: InnerList, count: FieldLayout, offset: int) -> InnerList:
     """A list with the field that says how many elements it has, which is at an offset in the image."""
-    return replace(inner, count=count.name, count_at=offset, count_size=count.size, count_order=count.order)
+    return replace(inner, count=count.name, count_at=offset, count_size=count.size, count_order=count.count_order)

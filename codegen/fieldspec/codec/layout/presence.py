@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+from fieldspec.language.model.counts import bit_count
 from fieldspec.language.model.enums import Enum
-from fieldspec.language.model.record import Field, Record, bit_count
+from fieldspec.language.model.record import Field, Record
 from fieldspec.language.model.stated_bits import stated_bits
 
 if TYPE_CHECKING:

@@ -83,6 +83,11 @@ class FieldLayout:
         return replace(measure, of="items", plus=0) if measure is not None and self.counts_sent else measure
 
     @property
+    def count_order(self) -> str:
+        """The order of its bytes where it counts another field, or the form of its digits."""
+        return self.value.digits if self.value is not None and self.value.digits else self.order
+
+    @property
     def carries_bytes(self) -> bool:
         """Whether it has the bytes of the value of a parameter."""
         part = self.value.parameter if self.value is not None else None
@@ -252,15 +257,15 @@ class RecordLayout:
 
     @property
     def count_of_text(self) -> tuple[FieldLayout, int] | None:
-        """The field with the bytes of the only value that varies in width, and all others; None for other records.
-
-        The others are less by what that field contains in addition.
-        """
+        """The binary field with the bytes of the only value that varies, and all others less what it adds; or None."""
         varying = [span for span in self.spans if span.value is not None]
         if len(varying) != 1 or varying[0].count is None:
             return None
+        count = self.fields[varying[0].count]
+        if count.value is None or count.value.digits:
+            return None
         other_bytes = sum(span.size for span in self.spans if span.value is None)
-        return self.fields[varying[0].count], other_bytes - varying[0].plus
+        return count, other_bytes - varying[0].plus
 
     def has_place(self, field: FieldLayout) -> bool:
         """Whether the offset of a field is its place in all data: nothing before it varies, nor is it moved."""

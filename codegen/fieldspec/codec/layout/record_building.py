@@ -10,9 +10,10 @@ from fieldspec.codec.layout.presence import PresenceLayout, masked, presence_lay
 from fieldspec.codec.layout.record import CaseLayout, FieldLayout, Orders, RecordLayout
 from fieldspec.codec.layout.widths import Span
 from fieldspec.foundation.classes import TYPE_CHECKING, replace
+from fieldspec.language.model.counts import bit_count, text_count
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.enums import Enum
-from fieldspec.language.model.record import Choice, Field, Record, bit_count, text_count
+from fieldspec.language.model.record import Choice, Field, Record
 from fieldspec.language.model.stated_bits import legal_numbers, stated_bits
 
 if TYPE_CHECKING:
@@ -203,7 +204,7 @@ def _varying(record: Record, fields: tuple[FieldLayout, ...]) -> RecordLayout:
         count = text_count(record, field.field)
         if count is not None and count.measures is not None:
             number = record.fields.index(count)
-            order, plus = fields[number].order, count.measures.plus
+            order, plus = fields[number].count_order, count.measures.plus
             spans.append(Span(field.name, field.size, field.value, None, number, order, plus))
             continue
         end = following.value.const if following is not None and following.value is not None else None

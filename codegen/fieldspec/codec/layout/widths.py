@@ -7,13 +7,11 @@ that of all the bytes that the text may have.
 
 from __future__ import annotations
 
-from fieldspec.foundation.classes import TYPE_CHECKING, dataclass
+from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.runtime._digits import size_data, size_in
 from fieldspec.language.model.digits import digits_letters, digits_text, has_sign, widest_digits
 from fieldspec.language.model.text_form import encoding_title
 from fieldspec.language.model.value import Value
-
-if TYPE_CHECKING:
-    from typing import Literal
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +19,7 @@ class Span:
     """The bytes of a field: `size` in the image. `value` is None if the size is the number of sent bytes.
 
     `end` is the byte that follows a value that varies in width; None where the record ends after it, and where the
-    span number `count` has its bytes, plus `plus`, in the byte order `count_order`.
+    span number `count` has its bytes, plus `plus`, in the byte order or as the digits `order`.
     """
 
     name: str
@@ -29,13 +27,8 @@ class Span:
     value: Value | None
     end: int | None
     count: int | None = None
-    count_order: str = "big"
+    order: str = "big"
     plus: int = 0
-
-    @property
-    def order(self) -> Literal["big", "little"]:
-        """The byte order of the number of its bytes."""
-        return "big" if self.count_order == "big" else "little"
 
 
 class WidthError(ValueError):
@@ -68,7 +61,7 @@ def extents(spans: tuple[Span, ...], data: bytes) -> list[Extent]:
         known.append(Extent(start, stop, image))
         if span.count is not None:
             count = known[span.count]
-            whole = (span.size + span.plus).to_bytes(count.stop - count.start, span.order)
+            whole = size_data(span.size + span.plus, count.stop - count.start, span.order)
             known[span.count] = Extent(count.start, count.stop, whole)
         start = stop
     return known
@@ -79,8 +72,8 @@ def _text_bytes(span: Span, data: bytes, known: list[Extent]) -> int | None:
     if span.count is None or span.value is None:
         return None
     count = known[span.count]
-    number = int.from_bytes(data[count.start : count.stop], span.order) - span.plus
-    return number if 0 <= number <= span.value.width else None
+    number = size_in(data[count.start : count.stop], span.order)
+    return number - span.plus if number is not None and 0 <= number - span.plus <= span.value.width else None
 
 
 def _stop(span: Span, data: bytes, start: int, known: list[Extent]) -> int | None:
@@ -105,7 +98,9 @@ def image_of(spans: tuple[Span, ...], data: bytes) -> tuple[bytes, list[Extent]]
     if len(fields) < len(spans):
         missing = spans[len(fields)]
         if missing.count is not None and _text_bytes(missing, data, fields) is None:
-            raise WidthError("wrong_measure", spans[missing.count].name, fields[missing.count].start)
+            count = fields[missing.count]
+            has_number = size_in(data[count.start : count.stop], missing.order) is not None
+            raise WidthError("wrong_measure" if has_number else "unknown_value", spans[missing.count].name, count.start)
         raise WidthError("incomplete", missing.name, len(data))
     end = fields[-1].stop if fields else 0
     if end < len(data):
@@ -135,7 +130,7 @@ def data_of(spans: tuple[Span, ...], image: bytes) -> bytes:
             if span.end is not None and span.end in piece:
                 raise WidthError("unknown_value", span.name, sum(map(len, pieces)))
         if span.count is not None:
-            pieces[span.count] = (len(piece) + span.plus).to_bytes(len(pieces[span.count]), span.order)
+            pieces[span.count] = size_data(len(piece) + span.plus, len(pieces[span.count]), span.order)
         pieces.append(piece)
     return b"".join(pieces)
 
@@ -188,6 +183,13 @@ def value_form(value: Value) -> str:
     return f"a text of at most {value.width} bytes in {encoding_title(value)}"
 
 
+def order_data(order: str) -> dict[str, str | int | bool]:
+    """The form of a number that counts, as programs in JavaScript have it."""
+    if order in ("big", "little"):
+        return {"little": True} if order == "little" else {}
+    return {"digits": order}
+
+
 def span_data(span: Span) -> dict[str, str | int | bool]:
     """A field as programs in JavaScript have it; what is 0, false or absent is left out."""
     data: dict[str, str | int | bool] = {"name": span.name, "size": span.size}
@@ -198,5 +200,5 @@ def span_data(span: Span) -> dict[str, str | int | bool]:
     data |= {"places": value.places} if value.places else {}
     data |= {"hasSign": True} if has_sign(value) else {}
     if span.count is not None:
-        data |= {"count": span.count, "plus": span.plus} | ({"little": True} if span.order == "little" else {})
+        data |= {"count": span.count, "plus": span.plus} | order_data(span.order)
     return data | ({"end": span.end} if span.end is not None else {})

@@ -194,6 +194,22 @@ def no_digits(name: str, raw: bytes, at: int) -> CodecError:
     return CodecError("unknown_value", f"{name} is {raw!r}, which are not the digits of a number", at)
 
 
+def size_in(data: bytes, order: str) -> int | None:
+    """The number in a field with the size of another one: binary in an `order`, or digits of that form; None for other
+    bytes.
+    """
+    if order in ("big", "little"):
+        return int.from_bytes(data, "big" if order == "big" else "little")
+    return digits(f">u64 {order} {len(data)} 0").unpack(data)[0]
+
+
+def size_data(number: int, length: int, order: str) -> bytes:
+    """The bytes of a field with such a number. Raises OverflowError for a number that it cannot have."""
+    if order in ("big", "little"):
+        return number.to_bytes(length, "big" if order == "big" else "little")
+    return digits(f">u64 {order} {length} 0").pack(number)
+
+
 _FORMS: dict[str, Digits] = {}
 
 

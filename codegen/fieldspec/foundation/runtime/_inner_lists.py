@@ -7,26 +7,27 @@ from __future__ import annotations
 
 from struct import Struct
 
+from ._digits import size_data, size_in
 from ._error import CodecError
 from ._list_parts import Decision, More, Packing
 from ._typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
-    from typing import Any, Literal
+    from typing import Any
 
 
 class InnerList:
     """A list after `first` bytes of other fields; in the image, and in refusals of it, its place is `room`.
 
     It has `least` to `most` elements of `size` bytes, which the Struct has as `letters`. The field that counts them is
-    at `at` in the image, with `length` bytes in an order; its number, less `plus`, is that of units of `unit` bytes.
-    `length` is 0 for a list that always has `most` elements, and for the one whose size the data decide. `parts` tell
-    the size of an element where elements differ in size, and a `decision` that of the only element; these have `size`
-    bytes in the image. With a `packing`, numbers are sent in fewer bits. With a `presence`, a mask and numbers, the
-    only element is sent if these bits of the number are one of the numbers; without numbers, these bits are the count.
-    With a `sent_plus`, what is sent is the number of the sent bytes and this number more; the bits of a `presence` are
-    the same in the image. With `more`, elements say which of them is the last, and the count is one.
+    at `at` in the image, with `length` bytes in an order, or of digits; its number, less `plus`, is that of units of
+    `unit` bytes. `length` is 0 for a list that always has `most` elements, and for the one whose size the data decide.
+    `parts` tell the size of an element where elements differ in size, and a `decision` that of the only element; these
+    have `size` bytes in the image. With a `packing`, numbers are sent in fewer bits. With a `presence`, a mask and
+    numbers, the only element is sent if these bits of the number are one of the numbers; without numbers, these bits
+    are the count. With a `sent_plus`, what is sent is the number of the sent bytes and this number more; the bits of a
+    `presence` are the same in the image. With `more`, elements say which of them is the last, and the count is one.
     """
 
     __slots__ = (
@@ -55,7 +56,7 @@ class InnerList:
         bounds: tuple[int, int],
         first: int,
         room: int,
-        count: tuple[int, int, Literal["big", "little"], int, int] = (0, 0, "big", 1, 0),
+        count: tuple[int, int, str, int, int] = (0, 0, "big", 1, 0),
         parts: Parts | None = None,
         decision: Decision | None = None,
         packing: Packing | None = None,
@@ -65,11 +66,14 @@ class InnerList:
     ) -> None:
         self.letters, self.size, self.first, self.room = letters, size, first, room
         self.sizes = range(bounds[0] * size, bounds[1] * size + 1, size)
-        self.at, self.length, _, self.unit, self.plus = count
-        self.order: Literal["big", "little"] = count[2]
+        self.at, self.length, self.order, self.unit, self.plus = count
         self.parts, self.decision, self.packing, self.presence = parts, decision, packing, presence
         self.sent_plus = sent_plus
         self.more = more
+
+    def number(self, data: bytes) -> int:
+        """The number in the field that counts the list, in some data."""
+        return size_in(data[self.at : self.at + self.length], self.order) or 0
 
     def count_size(self, data: bytes) -> int:
         """The bytes of the list in the image, as its count in some data says."""
@@ -77,7 +81,7 @@ class InnerList:
             return self.size
         if not self.length:
             return self.sizes[-1] if self.more is None else self.size
-        number = int.from_bytes(data[self.at : self.at + self.length], self.order)
+        number = self.number(data)
         if self.presence is not None:
             mask, numbers = self.presence
             if numbers:
@@ -103,7 +107,7 @@ class InnerList:
 
     def sent_number(self, data: bytes, plus: int) -> int:
         """The sent bytes that a number in some data counts, or bits of it."""
-        number = int.from_bytes(data[self.at : self.at + self.length], self.order)
+        number = self.number(data)
         mask = -1 if self.presence is None else self.presence[0]
         return (number & mask) // (mask & -mask) - plus
 
@@ -131,9 +135,11 @@ class InnerList:
         """Some bytes with another number in the field that counts the list; bits that count it stay."""
         if self.presence is not None:
             return data
-        if number >> 8 * self.length:
-            raise CodecError("out_of_range", f"a field of {self.length} bytes cannot be {number}")
-        return data[: self.at] + number.to_bytes(self.length, self.order) + data[self.at + self.length :]
+        try:
+            own = size_data(number, self.length, self.order)
+        except OverflowError:
+            raise CodecError("out_of_range", f"a field of {self.length} bytes cannot be {number}") from None
+        return data[: self.at] + own + data[self.at + self.length :]
 
     def sent_size(self, size: int) -> int:
         """The bytes that are sent for `size` bytes of the image, of elements that do not differ in size."""
@@ -175,6 +181,9 @@ class InnerList:
 
         The last list ends there. Refused at the `place` of a number, or at the byte at which it shows.
         """
+        sent = fields[self.at : self.at + self.length]
+        if self.length and size_in(sent, self.order) is None:
+            raise CodecError("unknown_value", f"the size of a list is {sent!r}, which are no digits", place(self.at))
         if self.decision is not None:
             return [self.decided_bytes(self.decision, fields, place)]
         is_open = is_last and self.more is None

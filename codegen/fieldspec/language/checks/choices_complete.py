@@ -2,8 +2,9 @@
 member of that enum is in at most one case. If `bits` decide, the number has at most four bytes, and its `flags` have an
 enum in exactly these bits. A choice with several elements ends the data of a message or of an exception response, and
 all fields before it have a fixed size; only bits of a byte decide it. A field that measures any other choice is the
-first before it that counts its bytes, as a binary number of one or two bytes without a `range`. No choice contains a
-parameter, and no table contains a choice.
+first before it that counts its bytes, as a binary number of one or two bytes or as digits, without a `range`. A case of
+`bytes` may have none, unless the choice has several elements or no other case. No choice contains a parameter, and no
+table contains a choice.
 
 Why: a decoder reads the deciding field first and then knows the layout of the rest. It rejects members
 without a case, because the data that follow them are unknown. Only the end of the data ends the elements of a choice.
@@ -19,9 +20,10 @@ from __future__ import annotations
 
 from fieldspec.language.checks.facts import fields, layers, nested_fields
 from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.model.counts import COUNTING, choice_count
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.encoding import Whole, is_count, is_signed
-from fieldspec.language.model.record import Case, Choice, Field, Record, choice_count
+from fieldspec.language.model.encoding import Whole, is_count, is_octets, is_signed
+from fieldspec.language.model.record import Case, Choice, Field, Record
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.value import Value
 
@@ -38,6 +40,7 @@ def choices_complete(device: Device) -> Findings:
                 yield from _check_place(sizes, layer, field, is_part)
                 yield from _decided(device, layer, field, field.choice)
                 yield from _apart(field.choice)
+                yield from _empty(field, field.choice)
     for table in device.tables.values():
         record = device.records.get(table.record)
         parts = nested_fields(device, record.fields) if record is not None else iter(())
@@ -71,12 +74,27 @@ def _check_place(sizes: RecordSizes, layer: Record, field: Field, is_part: bool)
         if other.measures is None or other.measures.field != field.name or choice_count(layer, field) is other:
             continue
         text = f"{other.name} measures {field.name}, whose size {field.choice.by if field.choice else ''} decides"
-        text += ", and is not the first before it to count its bytes as a binary `u8` or `u16` without a `range`"
+        text += f", and is not the first before it to count its bytes without a `range`, as {COUNTING}"
         yield finding(other.place, "measures", text, "state it so, or remove `measures`")
     for case in field.choice.cases if field.choice is not None else ():
         if case.value.parameter is not None:
             text = f"{case.name} carries a part of a parameter, and {field.name} does not end a message alone"
             yield finding(case.place, "parameter", text, "list it last, after fields of fixed size")
+
+
+def _empty(field: Field, choice: Choice) -> Findings:
+    """The finding of a case without data that is not one of `bytes`, or in a list or a choice of nothing else."""
+    empty = [case for case in choice.cases if not case.value.size]
+    for case in empty:
+        if not is_octets(case.value.encoding):
+            text = f"{case.name} is a {case.value.type.name} of no bytes"
+            yield finding(case.place, "length", text, "state it as `type: bytes, length: 0`")
+    if empty and field.repeat is not None:
+        text = f"{field.name} has several elements, and none of them is seen where {empty[0].name} has no bytes"
+        yield finding(empty[0].place, "length", text, "leave the case out, or state the choice in a record")
+    elif empty and len(empty) == len(choice.cases):
+        text = f"{field.name} never has a byte"
+        yield finding(empty[0].place, "length", text, "leave the field out")
 
 
 def _is_byte(layer: Record, field: Field) -> bool:

@@ -161,6 +161,8 @@ def _objection(device: Device, decider: Field, bits: tuple[tuple[int, int], ...]
     value = decider.value
     if value is None or decider.is_list:
         return "it is not a single value"
+    if value.digits:
+        return "it is sent as digits, which have no bits"
     if not isinstance(value.encoding, Whole) or is_signed(value.encoding) or value.size > _MOST_BYTES:
         return f"it is {value.type.name}"
     if decider.reserved or value.const is not None or decider.measures is not None or value.parameter is not None:

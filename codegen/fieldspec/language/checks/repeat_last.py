@@ -1,6 +1,7 @@
 """A repeated field permits at least one element, and its end is known: by the end of the data, less the fixed bytes
 after it, by an earlier field that `measures` it, or by its elements with `more_if`. If data of varying size follows, or
-if the list is in a record within another record, the measuring field is an unsigned binary number of one or two bytes.
+if the list is in a record within another record, the measuring field is an unsigned number: binary, in one or two
+bytes, or a fixed number of decimal or hexadecimal digits without blanks, at most nine and seven.
 A record of varying size can be part of messages and of other such records, once, `count` times or repeated, if an
 earlier field in it, or `more_if`, determines the end of each of its lists and texts of varying width. A field that
 counts the bytes of such records is also such a number, and has no `range`. The data of exception responses, and of
@@ -19,8 +20,9 @@ from __future__ import annotations
 
 from fieldspec.language.checks.facts import layers
 from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.model.counts import COUNTING, list_count
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.record import Field, Message, Record, list_count
+from fieldspec.language.model.record import Field, Message, Record
 from fieldspec.language.model.sizes import RecordSizes
 
 
@@ -59,7 +61,7 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
     # `varying_widths_end` says what to do about a text.
     if untold is not None and not (untold.value is not None and untold.value.width):
         text = f"{inner.name} has no fixed size, and nothing in it marks the end of {untold.name}"
-        help = "let a binary `u8` or `u16` before it count it with `measures`, or let a message have its fields"
+        help = f"let {COUNTING} before it count it with `measures`, or let a message have its fields"
         yield finding(field.place, "record", text, help, label(untold.place, "name", "has no fixed size"))
     for other in layer.fields:
         measures = other.measures
@@ -68,7 +70,7 @@ def _differing(sizes: RecordSizes, inner: Record | None, layer: Record, field: F
         is_number = other.value is not None and other.value.ranges is None
         if not is_number or list_count(layer, field) is not other:
             text = f"{other.name} counts the bytes of {field.name}, whose elements differ in size"
-            text += ", and is not the first to count it as a binary `u8` or `u16` without a `range`"
+            text += f", and is not the first to count it without a `range`, as {COUNTING}"
             help = f"state it so, or count the elements: `measures: {{items: {field.name}}}`"
             yield finding(other.place, "measures", text, help)
 
@@ -90,8 +92,8 @@ def _followed(sizes: RecordSizes, layer: Record, field: Field, is_body: bool) ->
         help = "state its `count`, the field before it that `measures` it, or the fields in the order of the wire"
         yield finding(field.place, "repeat", text, help, label(last.place, "name", "comes after it"))
     elif is_open and list_count(layer, field) is None:
-        text = f"{counts[0].name} counts {field.name}, which {last.name} follows, and is not a binary `u8` or `u16`"
-        help = "state the number as `u8` or `u16`, or a message of its own"
+        text = f"{counts[0].name} counts {field.name}, which {last.name} follows, and is not {COUNTING}"
+        help = "state the number so, or a message of its own"
         yield finding(counts[0].place, "type", text, help, label(last.place, "name", "follows it"))
 
 

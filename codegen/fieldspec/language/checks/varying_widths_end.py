@@ -1,9 +1,9 @@
 """A value that varies in width is a text, or a number of decimal or hexadecimal digits. It is a field of a message, and
 ends with the message or before a constant of one byte that it cannot have. One field before a text can contain the
-text's number of bytes: an unsigned whole number of one or two bytes whose range includes every length of the text, or
-some bits. A message with a value that no field measures has no list of free length, no record of varying size, no
-choice, and no number of bytes in some bits. Measured texts can also be fields of a record within messages and other
-records, and counted texts and `bytes` cases of a choice.
+text's number of bytes: an unsigned whole number of one or two bytes, or of a fixed number of digits, whose range
+includes every length of the text, or some bits. A message with a value that no field measures has no list of free
+length, no record of varying size, no choice, and no number of bytes in some bits. Measured texts can also be fields of
+a record within messages and other records, and counted texts and `bytes` cases of a choice.
 
 Why: the constant after such a value marks its end. If the value could contain that constant, the next value would be
 read as a part of it.
@@ -21,12 +21,13 @@ import string
 
 from fieldspec.language.checks.facts import layers, values
 from fieldspec.language.checks.finding import Findings, finding, label, range_key
+from fieldspec.language.model.counts import COUNTING, can_count, choice_count, text_count
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import digits_letters, has_sign
+from fieldspec.language.model.digits import digits_letters, digits_text, has_sign
 from fieldspec.language.model.encoding import is_array, is_signed, is_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import merged
-from fieldspec.language.model.record import Case, Field, Message, Record, choice_count, text_count
+from fieldspec.language.model.record import Case, Field, Message, Record
 from fieldspec.language.model.sizes import RecordSizes
 from fieldspec.language.model.text_form import PACKED_ASCII, UTF_16
 from fieldspec.language.model.value import Value
@@ -46,6 +47,12 @@ def varying_widths_end(device: Device) -> Findings:
         for case in field.choice.cases
         if is_array(case.value.encoding)
     }
+    unfit_sizes = {
+        id(layer.named(field.measures.field))
+        for layer in layers(device)
+        for field in layer.fields
+        if field.measures is not None and field.value is not None and not can_count(field.value)
+    }
     for fact, value in values(device):
         if not value.width:
             continue
@@ -58,7 +65,8 @@ def varying_widths_end(device: Device) -> Findings:
         is_case = id(fact) in cases
         problem = "" if is_case and value.is_marked else _form(value) or ("" if is_case else _place(fact, is_in_place))
         if problem:
-            yield finding(fact.place, "varies", f"{fact.name} {problem}", _cure(fact, value, is_in_place))
+            cure = _other_sizes(fact) if id(fact) in unfit_sizes else _cure(fact, value, is_in_place)
+            yield finding(fact.place, "varies", f"{fact.name} {problem}", cure)
     for message in device.messages.values():
         for body in _bodies(message):
             yield from _of_message(sizes, message, body)
@@ -166,12 +174,19 @@ def _of_count(body: Record, field: Field, text: Field) -> Findings:
     """The finding of a field that measures a value that varies in width, unless it may count the bytes of that text."""
     count, value, measure = text_count(body, text), field.value, field.measures
     assert measure is not None
+    if value is not None and value.digits and not can_count(value):
+        message = f"{field.name} is {digits_text(value)}, which do not say where {text.name} ends"
+        yield finding(field.place, "measures", message, _other_sizes(text))
+        return
     if text.value is None or not is_text(text.value.encoding):
         message = f"{field.name} measures {text.name}, which varies in width and is not a text"
         yield finding(field.place, "measures", message, "let a `length` in the frame count the message")
         return
     if count is not field or value is None:
         message = f"{field.name} cannot count the bytes of {text.name}, which varies in width"
+        if count is not None and count is not field:
+            yield finding(field.place, "measures", message, f"remove it: {count.name} counts them")
+            return
         form = f"{{name: {field.name}, type: u8, measures: {{bytes: {text.name}}}}}"
         help = f"state one field before the text, a whole number without a meaning of its own: `{form}`"
         yield finding(field.place, "measures", message, help)
@@ -182,6 +197,14 @@ def _of_count(body: Record, field: Field, text: Field) -> Findings:
         message = f"{field.name} has the range {value.ranges.text()}, but {text.name} makes it {low}..{high}"
         help = "remove the range, or correct the `length` of the text"
         yield finding(field.place, range_key(field.place), message, help, related_label)
+
+
+def _other_sizes(fact: Fact) -> str:
+    """What to write for a text whose size is a number that is not read before its end is known."""
+    size = fact.value.size if isinstance(fact, Field) and fact.value is not None else 0
+    list_form = f"`type: u8, repeat: 0..{size}`"
+    size_help = f"let the size be {COUNTING}, if that is how it is sent"
+    return f"state its characters as the last field of a message, {list_form}; or {size_help}"
 
 
 def _end(body: Record, field: Field) -> Findings:

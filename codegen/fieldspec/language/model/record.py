@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from itertools import takewhile
 
 from fieldspec.foundation.classes import dataclass
-from fieldspec.language.model.encoding import is_count, is_signed, is_text
 from fieldspec.language.model.enums import Flags
 from fieldspec.language.model.escape import CAN_REMOTE
 from fieldspec.language.model.fact import Fact
@@ -73,8 +72,8 @@ class Choice:
 
     @property
     def has_widths(self) -> bool:
-        """Whether one of the types is a text, or bytes, that vary in length, which another field counts."""
-        return any(case.value.width for case in self.cases)
+        """Whether one of the types is a text, or bytes, that another field counts, or has no bytes."""
+        return any(case.value.width or not case.value.size for case in self.cases)
 
     def enum_of(self, selector: Field | None, words: Mapping[str, Flags]) -> str:
         """The name of the enum whose members decide; empty where the field that decides has none."""
@@ -200,55 +199,6 @@ class Record(Fact):
     def named(self, name: str) -> Field | None:
         """The field with a name, None if there is none."""
         return next((field for field in self.fields if field.name == name), None)
-
-
-def list_count(record: Record, field: Field) -> Field | None:
-    """The field before a list that decides how many elements it has if another list follows, None if there is none.
-
-    It is a binary number of one or two bytes without a sign, or has the number in some of its bits.
-    """
-    if (bits := bit_count(record, field.name)) is not None:
-        return bits[0]
-    for other in record.fields[: record.fields.index(field)]:
-        value = other.value
-        if other.measures is None or other.measures.field != field.name or value is None or other.is_list:
-            continue
-        is_number = is_count(value.encoding) and not is_signed(value.encoding) and not value.digits
-        if is_number and value.size <= 2:
-            return other
-    return None
-
-
-def bit_count(record: Record, name: str) -> tuple[Field, Measure] | None:
-    """The field that has the size of another one in some of its bits, and what they contain; None if there is none."""
-    return next(((other, own) for other in record.fields if (own := other.bit_measure) and own.field == name), None)
-
-
-def choice_count(record: Record, field: Field) -> Field | None:
-    """The field before a single one with several types that has its number of bytes, None if there is none."""
-    count = list_count(record, field) if field.choice is not None and not field.is_list else None
-    is_right = count is not None and count.measures is not None and count.measures.of == "bytes"
-    return count if is_right and count is not None and count.value is not None and count.value.ranges is None else None
-
-
-def text_count(record: Record, field: Field) -> Field | None:
-    """The field before a text that varies in width that has its number of bytes, None if there is none.
-
-    It is an unsigned binary number of one or two bytes without any other meaning, or has the number in its bits.
-    """
-    if field.value is None or not field.value.width or not is_text(field.value.encoding):
-        return None
-    if (bits := bit_count(record, field.name)) is not None:
-        return bits[0]
-    for other in record.fields[: record.fields.index(field)]:
-        value, measure = other.value, other.measures
-        if measure is None or measure.field != field.name or measure.of != "bytes" or value is None or other.is_list:
-            continue
-        is_number = is_count(value.encoding) and not is_signed(value.encoding) and not value.digits and value.size <= 2
-        has_meaning = value.const is not None or value.enum or value.flags or value.sentinels or value.scaled
-        if is_number and not has_meaning and not other.reserved and measure.plus >= 0:
-            return other
-    return None
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.checksums import checksum_size
+from fieldspec.language.model.counts import list_count, text_count
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.link import Link, Part
-from fieldspec.language.model.record import Field, Message, Record, list_count, text_count
+from fieldspec.language.model.record import Field, Message, Record
 
 MOST_LEVELS = 64
 """How deep records may be nested."""

@@ -149,8 +149,8 @@ def measured_size(record: RecordLayout, field: FieldLayout, struct: Expression) 
 
 
 def case_member(case: CaseLayout) -> str:
-    """The member of the union that has a case's values, empty where they are a constant."""
-    return "" if case.value.const is not None else member(case.name)
+    """The member of the union that has a case's values, empty where they are a constant or there are none."""
+    return "" if case.value.const is not None or not case.value.size else member(case.name)
 
 
 def _declare_union(field: FieldLayout, count: int | None) -> Iterator[Union]:

@@ -28,7 +28,7 @@ from fieldspec.targets.c.expressions import (
 )
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parts
-from fieldspec.targets.c.literals import ZERO, decimal, unsigned
+from fieldspec.targets.c.literals import NULL, ZERO, decimal, unsigned
 from fieldspec.targets.c.naming import Naming, Noun, frame_member
 from fieldspec.targets.c.packing import is_packed
 from fieldspec.targets.c.printer import Printer
@@ -276,7 +276,7 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
     size = _SIZE - _HEADER_SIZE
     body, opened_body = _DATA + _HEADER_SIZE, _OPENED.member("body")
     tests.append(_OPENED.member("body_length").equals(size))
-    tests.append(Call("memcmp", (opened_body, body, size)).equals(ZERO))
+    tests.append(all_of([opened_body.differs(NULL), Call("memcmp", (opened_body, body, size)).equals(ZERO)]))
     closed = Call(
         naming.function("link", link.name, direction, "close"),
         (*header, size, _OUT, SizeOf(_OUT), _LENGTH.address()),
@@ -289,7 +289,7 @@ def _close_any_body(naming: Naming, link: LinkLayout, direction: str, number: in
             *_declare_variables(naming, link, direction),
             Variable(status_type(naming), "status"),
             _clear_opened(),
-            If(_SIZE.less(_HEADER_SIZE), (Return(),)),
+            *([If(_SIZE.less(_HEADER_SIZE), (Return(),))] if header else []),
             call("memcpy", _OUT + decimal(frame.header_size), body, size),
             If(closed.differs(ok), (Return(),)),
             assign(_STATUS, _open_call(naming, link, direction, _OUT, _LENGTH)),

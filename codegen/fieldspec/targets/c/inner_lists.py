@@ -12,6 +12,7 @@ from fieldspec.targets.c.literals import unsigned
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.presences import follows, present_sizes
 from fieldspec.targets.c.statements import Body, Return, Variable, discard
+from fieldspec.targets.c.widths import count_form
 
 _ENCODE = """static inline {status} {encode}({argument}uint8_t *out, size_t capacity, size_t *length)
 {{
@@ -95,14 +96,13 @@ def _table(naming: Naming, record: RecordLayout, inner: InnerLists) -> dict[str,
 def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> str:
     """The row of a list; see the struct.
 
-    `{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, false, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L}`
+    `{2u, 7u, 2u, 0u, 8u, 1u, 1u, 2u, 0L, 0u, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L}`
     """
     numbers = (inner.first, inner.room, inner.element, inner.least, inner.most)
     is_optional = inner.presence is not None and bool(inner.presence.numbers)
     has_count = inner.count and not is_optional
     mask = inner.presence.mask if inner.presence is not None and has_count else 0
     count = (inner.count_at, inner.count_size if has_count else 0, inner.unit)
-    is_little = "true" if inner.count_order == "little" else "false"
     field = record.named(inner.name)
     element = field.record if field is not None and inner.parts is not None and inner.parts.lists else None
     measure = naming.function("record", element.name, "sent_size") if element is not None else "NULL"
@@ -115,8 +115,9 @@ def _inner_list_row(naming: Naming, record: RecordLayout, inner: InnerList) -> s
     if inner.packing is not None:
         is_low_first, is_signed = inner.packing.order == "little", inner.packing.number.sign.is_signed
         packing = f"{inner.packing.number.bits}u, {str(is_low_first).lower()}, {str(is_signed).lower()}"
+    form = count_form(inner.count_order)
     byte_count = "false, 0L" if inner.sent_plus is None else f"true, {inner.sent_plus}L"
-    return f"{{{places}, {inner.plus}L, {is_little}, {mask}u, {measure}, {decide}, {tell}, {packing}, {byte_count}}}"
+    return f"{{{places}, {inner.plus}L, {form}, {mask}u, {measure}, {decide}, {tell}, {packing}, {byte_count}}}"
 
 
 def decided_sizes(naming: Naming, record: RecordLayout) -> list[Declaration]:

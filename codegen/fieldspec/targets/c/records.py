@@ -200,6 +200,9 @@ def _write_fields(naming: Naming, device: Device, record: RecordLayout, checked:
         if field.cases and decider is not None:
 
             def write_case(case: CaseLayout, field: FieldLayout = field) -> Body:
+                if not case.value.size:
+                    return ()
+
                 def write(target: Expression, value: Expression) -> Body:
                     wire = field_value(case)
                     if case.value.const is not None:
@@ -318,6 +321,9 @@ def _read_fields(naming: Naming, device: Device, record: RecordLayout) -> Body:
         if field.cases and decider is not None:
 
             def read_case(case: CaseLayout, field: FieldLayout = field) -> Body:
+                if not case.value.size:
+                    return ()
+
                 def read(source: Expression, value: Expression) -> Body:
                     return decode_value(naming, device, field_value(case), source, value)
 

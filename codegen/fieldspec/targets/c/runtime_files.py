@@ -135,8 +135,11 @@ def copy_numbers(naming: Naming, layout: DeviceLayout) -> list[list[Source]]:
     digits = digits_parts([value for value in numbers if value.digits])
     encoded = any(wire.value.text_form is not None for wire in wires)
     odd += [[copy_runtime(naming, "encoded_texts.h", "encoded_texts")]] * encoded
-    odd += [[copy_runtime(naming, "widths.h", "widths")]] * any(record.spans for record in all_records(layout))
-    if any(record.inner_lists is not None for record in all_records(layout)):
+    has_spans = any(record.spans for record in all_records(layout))
+    has_lists = any(record.inner_lists is not None for record in all_records(layout))
+    odd += [[copy_runtime(naming, "counts.h", "counts")]] * (has_spans or has_lists)
+    odd += [[copy_runtime(naming, "widths.h", "widths")]] * has_spans
+    if has_lists:
         odd += [[copy_runtime(naming, f"{part}.h", part)] for part in ("list_elements", "inner_lists")]
     odd += [_codec(naming, name, codec) for name, codec in number_codecs(layout).items()]
     additional = odd + [[copy_runtime(naming, "digits.h", part)] for part in digits]

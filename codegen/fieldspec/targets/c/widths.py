@@ -62,7 +62,7 @@ def _words(naming: Naming, record: RecordLayout) -> dict[str, str]:
 
 
 def _span_row(record: RecordLayout, number: int) -> str:
-    """`{9u, 8u, 0x2Cu, 0x00u, 2u, true, 0u, 0u, 0u, 0u, false}`: see the struct."""
+    """`{9u, 8u, 0x2Cu, 0x00u, 2u, true, 0u, 0u, 0u, 0u, 0u}`: see the struct."""
     span = record.spans[number]
     value, partner = span.value, _partner(record, number)
     if value is None:
@@ -78,10 +78,14 @@ def _partner(record: RecordLayout, number: int) -> str:
     texts = ((other, span.count) for other, span in enumerate(record.spans) if span.count is not None)
     pair = next(((text, count) for text, count in texts if number in (text, count)), None)
     if pair is None:
-        return "0u, 0u, 0u, 0u, false"
+        return "0u, 0u, 0u, 0u, 0u"
     text, count = pair
     other = text if number == count else count
     offset = sum(span.size for span in record.spans[:other])
-    is_little = "true" if record.spans[text].order == "little" else "false"
     sizes = f"{record.spans[other].size}u, {record.spans[count].size}u"
-    return f"{offset}u, {sizes}, {record.spans[text].plus}u, {is_little}"
+    return f"{offset}u, {sizes}, {record.spans[text].plus}u, {count_form(record.spans[text].order)}"
+
+
+def count_form(order: str) -> str:
+    """The form of a number that counts others, as the runtime has it; by its order, or the form of its digits."""
+    return {"big": "0u", "little": "1u", "decimal": "10u"}.get(order) or f"0x{_FORMS[order]:02X}u"

@@ -5,7 +5,7 @@ from fieldspec.targets.explainer.literals import lines
 from fieldspec.targets.explainer.translation.modules import TRANSLATED, translated
 from fieldspec.targets.templates import text
 
-SHARED = ("checksums", "error", "escapes", "encodings", "digit_texts", "number_bits", "lists", "widths")
+SHARED = ("checksums", "error", "escapes", "encodings", "digit_texts", "number_bits", "widths", "lists")
 """The modules that generated codecs use too."""
 
 RUNTIME = (

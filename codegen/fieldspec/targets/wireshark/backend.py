@@ -112,7 +112,7 @@ def device_data(visible_device: Remaining) -> tuple[dict[str, Data], str]:
     enums: dict[str, Data] = {name: enum_data(device, enum) for name, enum in device.enums.items()}
     words: dict[str, Data] = {name: word_data(device, flags) for name, flags in device.flags.items()}
     functions = ValueFunctions(enums, words)
-    filters = Filters(device, prefix, functions)
+    filters = Filters(device, prefix, functions, visible_device.digits)
     # Registers come first: their names are the ones that people filter by.
     registers: list[Data] = [register_data(filters, device, register) for register in layout.registers]
     for record_table in layout.tables.values():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.foundation.names import Name
@@ -56,12 +58,14 @@ class Filters:
     """The fields of a device by their filter names.
 
     Several facts share a field if its type and its names of numbers are the same. Otherwise the later ones get another
-    of the names that are proposed, or an underscore at the end.
+    of the names that are proposed, or an underscore at the end. `digits` are the patterns of the values that are shown
+    as bytes, by the paths of their facts.
     """
 
     device: Device
     prefix: str
     functions: ValueFunctions
+    digits: Mapping[str, Sequence[bytes]]
     rows: dict[str, dict[str, Data]] = field(default_factory=dict)
 
     def take(self, names: tuple[str, ...], row: dict[str, Data]) -> str:

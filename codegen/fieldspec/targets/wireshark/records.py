@@ -8,7 +8,8 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.message import MessageLayout
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.names import Name
-from fieldspec.language.model.record import Message
+from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.record import Case, Message
 from fieldspec.language.model.value import Value
 from fieldspec.targets.wireshark.filters import Filters, description, title_of
 from fieldspec.targets.wireshark.text import Data, line_text
@@ -18,10 +19,10 @@ DIRECTIONS = ("request", "response")
 
 
 def value_entry(
-    filters: Filters, layout: DeviceLayout, names: tuple[str, ...], field: FieldLayout, value: Value
+    filters: Filters, layout: DeviceLayout, names: tuple[str, ...], field: FieldLayout, value: Value, fact: Fact
 ) -> dict[str, Data]:
-    """The filter names and the data of a field that has a value."""
-    data = value_data(value, field.order, field.swapped)
+    """The filter names and the data of a field that has a value, which a `fact` states: the field, or a case."""
+    data = value_data(value, field.order, field.swapped, filters.digits.get(fact.place.path))
     return {
         "filter": filters.of_value(names, field.field, value),
         "quantity": filters.of_quantity(names, field.field, value),
@@ -33,9 +34,17 @@ def value_entry(
 
 
 def field_data(
-    filters: Filters, layout: DeviceLayout, names: tuple[str, ...], field: FieldLayout, message: Message | None
+    filters: Filters,
+    layout: DeviceLayout,
+    names: tuple[str, ...],
+    field: FieldLayout,
+    message: Message | None,
+    case: Case | None = None,
 ) -> dict[str, Data]:
-    """A field of a record. `names` are proposals for its filter name; `message` is that of a request or response."""
+    """A field of a record. `names` are proposals for its filter name; `message` is that of a request or response.
+
+    `case` is what decides its value, None for a field without cases.
+    """
     own = field.field
     data: dict[str, Data] = {
         "name": field.name,
@@ -62,7 +71,7 @@ def field_data(
     if part is not None:
         index = _index_field(message, part.number) if message is not None else None
         data["parameter"] = {"set": part.set, "part": part.part, "number": part.number or None, "index": index}
-    return {**data, **value_entry(filters, layout, names, field, field.value)}
+    return {**data, **value_entry(filters, layout, names, field, field.value, case or own)}
 
 
 def record_data(
@@ -97,7 +106,7 @@ def record_data(
         choice = record.fields[-1]
         for number, chosen in record.chosen.items():
             case = next(case for case in choice.cases if number in case.numbers)
-            chosen_data = field_data(filters, layout, names(case.name), chosen.fields[-1], message)
+            chosen_data = field_data(filters, layout, names(case.name), chosen.fields[-1], message, case.case)
             cases[str(number)] = {**chosen_data, "has_place": choice.name in placed}
         data |= {"by": record.fields.index(record.selector) + 1, "cases": cases}
     return data

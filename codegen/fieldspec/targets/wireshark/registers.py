@@ -16,7 +16,7 @@ def register_data(filters: Filters, device: Device, layout: RegisterLayout) -> d
     """A register with all of its elements."""
     register, value = layout.register, layout.register.value
     names = (layout.name, f"register.{layout.name}")
-    data = value_data(value, layout.order, layout.swapped)
+    data = value_data(value, layout.order, layout.swapped, filters.digits.get(register.place.path))
     return {
         "name": layout.name,
         "title": title_of(register),
@@ -66,7 +66,7 @@ def _table_field(filters: Filters, device: Device, layout: TableLayout, nested: 
     table, field = layout.table, nested.field
     names = (f"{layout.name}.{nested.name}", f"table.{layout.name}.{nested.name}")
     assert field.value is not None
-    data = value_data(field.value, field.order, field.swapped)
+    data = value_data(field.value, field.order, field.swapped, filters.digits.get(field.field.place.path))
     return {
         "filter": filters.of_value(names, field.field, field.value),
         "quantity": filters.of_quantity(names, field.field, field.value),

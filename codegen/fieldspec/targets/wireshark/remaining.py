@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 
 from fieldspec.codec.layout.absences import Absences, Cause, absences
 from fieldspec.codec.layout.bases import base_refusals
@@ -16,8 +16,12 @@ from fieldspec.codec.layout.record import FieldLayout, RecordLayout, RegisterLay
 from fieldspec.codec.layout.refusal import Refusal
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.diagnostics import LEAVE_OUT, Diagnostic
+from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.primitives import PRIMITIVES
+from fieldspec.language.model.record import Case, Field
+from fieldspec.language.model.registers import Register
 from fieldspec.language.model.value import Value
+from fieldspec.targets.wireshark.values import digit_patterns
 
 _READER = "the dissector"
 
@@ -27,7 +31,8 @@ class Remaining:
     """A device with bytes in place of the values that a dissector does not decode, and without tables that move.
 
     `records` are the records that it shows only as bytes, `bodies` such data of messages, by message and direction.
-    `omissions` say what is shown as bytes or left out. `findings` are errors and warnings.
+    `omissions` say what is shown as bytes or left out. `findings` are errors and warnings. `digits` are patterns of the
+    digits among such bytes, by the paths of their facts.
     """
 
     layout: DeviceLayout
@@ -35,6 +40,7 @@ class Remaining:
     bodies: Collection[tuple[str, str]]
     omissions: tuple[Omission, ...]
     findings: tuple[Diagnostic, ...]
+    digits: Mapping[str, list[bytes]]
 
 
 def remaining(layout: DeviceLayout) -> Remaining:
@@ -47,7 +53,7 @@ def remaining(layout: DeviceLayout) -> Remaining:
         *inner_list_refusals(layout, _READER),
     ]
     if not refusals:
-        return Remaining(layout, (), (), (), ())
+        return Remaining(layout, (), (), (), (), {})
     separate = set(_separate_values(layout))
     in_place = [refusal for refusal in refusals if refusal.path in separate]
     absent = absences(layout, [refusal for refusal in refusals if refusal.path not in separate])
@@ -71,7 +77,14 @@ def remaining(layout: DeviceLayout) -> Remaining:
                 if id(finding) in deeds and not any(finding is other for other in absent.findings)
             ),
         ),
+        {refusal.path: patterns for refusal in in_place if (patterns := _digit_patterns(refusal.fact))},
     )
+
+
+def _digit_patterns(fact: Fact) -> list[bytes]:
+    """The patterns of the digits of a register, a field or a case; none where its bytes are no digits."""
+    value = fact.value if isinstance(fact, Register | Field | Case) else None
+    return digit_patterns(value) if value is not None else []
 
 
 def _parameters_in_bytes(layout: DeviceLayout) -> Iterator[Refusal]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
 from math import lcm
 
 from fieldspec.codec.explain.errata import errata_at, errata_of_words
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.encoding import is_array, is_count, is_exact
+from fieldspec.language.model.digits import BCD, has_sign
+from fieldspec.language.model.encoding import is_array, is_count, is_exact, is_signed
 from fieldspec.language.model.enums import Enum, Flags
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.ranges import Ranges
@@ -25,8 +27,8 @@ _MOST_PLACES = 6
 """The decimals that a quantity has even if they are zeros."""
 
 
-def value_data(value: Value, order: str, swapped: bool) -> dict[str, Data]:
-    """A value with its byte and word order."""
+def value_data(value: Value, order: str, swapped: bool, digits: Sequence[bytes] | None = None) -> dict[str, Data]:
+    """A value with its byte and word order, and with the patterns of digits that are shown as bytes."""
     encoding, wide = value.encoding, is_wide(value)
     data: dict[str, Data] = {
         "kind": runtime_values.kind_of(encoding),
@@ -37,7 +39,7 @@ def value_data(value: Value, order: str, swapped: bool) -> dict[str, Data]:
         "unit": line_text(value.unit) or None,
     }
     if is_array(encoding):
-        return data
+        return data | {"digits": digits}
     if is_exact(encoding) and not wide:
         data |= {"low": value.type.low, "high": value.type.high}
     data |= {
@@ -62,6 +64,24 @@ def value_data(value: Value, order: str, swapped: bool) -> dict[str, Data]:
     if is_count(encoding) and value.scaled:
         data["scale"] = scale_data(value.scale, value.offset)
     return data
+
+
+def digit_patterns(value: Value) -> list[bytes]:
+    """Patterns of Lua, one of which bytes match if they are the digits of a value.
+
+    There are none for values without digits, for digits that vary, and for a sign in a nibble.
+    """
+    signed = is_signed(value.type.encoding)
+    if value.digits == BCD and not signed:
+        return [b"^[%b]+$" % b"".join(b"%c-%c" % (tens, tens + 9) for tens in range(0, 0xA0, 16))]
+    if not value.has_characters or value.width:
+        return []
+    fraction = f"%.{'%d' * value.places}$" if value.places else "$"
+    if value.has_blanks:
+        sign = "%-?" if signed else ""
+        return [f"^ *{sign}{whole}{fraction}".encode() for whole in ("0", "[1-9]%d*")]
+    digit = {"upper_hex": "[%dA-F]", "lower_hex": "[%da-f]"}.get(value.digits, "%d")
+    return [f"^{'[+-]' * has_sign(value)}{digit}+{fraction}".encode()]
 
 
 def scale_data(scale: Decimal | Fraction, offset: Decimal | Fraction) -> dict[str, Data]:

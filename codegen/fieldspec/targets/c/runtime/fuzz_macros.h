@@ -4,7 +4,7 @@
 #define RECORD(type, decode, encode, most, exact) \
     do { \
         type value, second; \
-        uint8_t out[most], again[most]; \
+        uint8_t out[most] = {0}, again[most] = {0}; \
         uint8_t *room; \
         size_t length = 0, beyond = 0; \
         memset(&value, 0, sizeof value); \
@@ -34,7 +34,7 @@
 #define PACKED(type, unpack, pack, length) \
     do { \
         type value; \
-        uint8_t out[length], again[length]; \
+        uint8_t out[length] = {0}, again[length] = {0}; \
         if (size < (length)) { \
             break; \
         } \
@@ -51,7 +51,7 @@
 /* A record without values, which has only one form. */
 #define FIXED(decode, encode, most, exact) \
     do { \
-        uint8_t out[(most) + 1u]; \
+        uint8_t out[(most) + 1u] = {0}; \
         size_t length = 0; \
         if (decode(data, size) != DEVICE_OK) { \
             break; \
@@ -66,7 +66,7 @@
 #define VALUE(type, decode, encode, held, length) \
     do { \
         type value; \
-        uint8_t out[length]; \
+        uint8_t out[length] = {0}; \
         if (size < (length) || decode(data, &value) != DEVICE_OK || encode(value, out) == DEVICE_ERR_OUT_OF_RANGE) { \
             break; \
         } \
@@ -79,7 +79,8 @@
 #define SEVERAL_FORMS(type, argument, decode, encode, length) \
     do { \
         type value, second; \
-        uint8_t out[length]; \
+        uint8_t out[length] = {0}; \
+        memset(&second, 0, sizeof second); \
         if (size < (length) || decode(data, &value) != DEVICE_OK || (type)(argument)value != value || \
             encode((argument)value, out) != DEVICE_OK) { \
             break; \
@@ -93,8 +94,9 @@
 #define TURNED(type, argument, decode, encode, length) \
     do { \
         type value, second; \
-        uint8_t out[length], again[length]; \
+        uint8_t out[length] = {0}, again[length] = {0}; \
         size_t at; \
+        memset(&second, 0, sizeof second); \
         if (size < (length) || decode(data, &value) != DEVICE_OK || (type)(argument)value != value || \
             encode((argument)value, out) != DEVICE_OK) { \
             break; \
@@ -111,7 +113,7 @@
 #define ARRAY(declared, decode, encode, exact, length) \
     do { \
         declared, second[sizeof value]; \
-        uint8_t out[length], again[length]; \
+        uint8_t out[length] = {0}, again[length] = {0}; \
         if (size < (length) || decode(data, value) != DEVICE_OK) { \
             break; \
         } \
@@ -125,7 +127,7 @@
 #define CONSTANT(type, decode, encode, length) \
     do { \
         type value; \
-        uint8_t out[length]; \
+        uint8_t out[length] = {0}; \
         hold(encode(out) == DEVICE_OK && decode(out, &value) == DEVICE_OK); \
         hold(size < (length) || decode(data, &value) != DEVICE_ERR_WRONG_CONST); \
     } while (0)
@@ -137,7 +139,7 @@
 #define TRIGGER(type, argument, decode, encode, held, length) \
     do { \
         type value; \
-        uint8_t out[length]; \
+        uint8_t out[length] = {0}; \
         if (size < (length)) { \
             break; \
         } \

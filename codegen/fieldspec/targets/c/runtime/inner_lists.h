@@ -48,6 +48,9 @@ static inline device_codec_status device_take_list(const device_inner_list *list
     device_codec_status status;
     *size = SIZE_MAX;
     *taken = left;
+    if (!device_is_count(fields + list->count_at, list->count_size, list->count_form)) {
+        return DEVICE_ERR_UNKNOWN_VALUE;
+    }
     if (list->follows != NULL || (list->element_size != NULL && list->decided_size != NULL)) {
         *size = device_first_element(list, fields);
     } else if (list->decided_size != NULL) {
@@ -230,7 +233,8 @@ static inline device_codec_status device_place_lists(const device_inner_list *li
         const device_inner_list *list = &lists[index];
         size_t size = index + 1u < count ? device_list_size(list, image) : image_length - list->room;
         size_t own = device_place_list(list, image, size, NULL);
-        if (list->counts_sent && (unsigned long)((long)own + list->sent_plus) >> 8u * list->count_size != 0u) {
+        uint32_t sent = (uint32_t)((long)own + list->sent_plus);
+        if (list->counts_sent && list->mask == 0u && !device_store_count(NULL, list->count_size, list->count_form, sent)) {
             return DEVICE_ERR_OUT_OF_RANGE;
         }
         if (list->counts_sent && list->mask != 0u && device_measured_bytes(list, image) != own) {

@@ -20,7 +20,7 @@ typedef size_t (*device_follows)(const uint8_t *in);
 /**
  * A list with fields after it, which begins after `first` bytes of other fields, and at `room` in the image of its
  * record: there all lists come last, each with room for all elements. It has `least` to `most` bytes, `element` for each
- * element. At `count_at` in the image, in `count_size` bytes, is the number of units of `unit` bytes, plus `plus`; where
+ * element. At `count_at` in the image, in `count_size` bytes of a form, is the number of units of `unit` bytes, plus `plus`; where
  * `mask` is not 0, in these bits. A `count_size` of 0 is that of a list that always has `most` bytes. The data decide the
  * size of the last one.
  * `element_size` is NULL where all elements have the same size, or `decided_size` tells that of the only element; with
@@ -39,7 +39,7 @@ typedef struct device_inner_list {
     size_t count_size;
     size_t unit;
     long plus;
-    bool is_little;
+    uint8_t count_form;
     uint32_t mask;
     device_element_size element_size;
     device_decided_size decided_size;
@@ -51,33 +51,19 @@ typedef struct device_inner_list {
     long sent_plus;
 } device_inner_list;
 
-/** The number in some bytes at `count_at`. */
-static inline uint32_t device_list_number(const device_inner_list *list, const uint8_t *image)
-{
-    const uint8_t *count = image + list->count_at;
-    uint32_t number = 0u;
-    size_t index;
-    for (index = 0; index < list->count_size; index++) {
-        number = number << 8 | count[list->is_little ? list->count_size - 1u - index : index];
-    }
-    return number;
-}
-
 /** Writes a number to the bytes at `count_at`, of which no bits count. */
 static inline void device_store_list_number(const device_inner_list *list, uint8_t *image, size_t number)
 {
-    uint8_t *count = image + list->count_at;
-    size_t index;
-    for (index = 0; list->mask == 0u && index < list->count_size; index++) {
-        count[list->is_little ? index : list->count_size - 1u - index] = (uint8_t)(number >> 8u * index);
+    if (list->mask == 0u) {
+        device_store_count(image + list->count_at, list->count_size, list->count_form, (uint32_t)number);
     }
 }
 
 /** The number in some bytes at `count_at`, or in the bits of it that count the list. */
-static inline size_t device_list_count(const device_inner_list *list, const uint8_t *image)
+static inline uint32_t device_list_count(const device_inner_list *list, const uint8_t *image)
 {
-    uint32_t number = device_list_number(list, image);
-    return (size_t)(list->mask == 0u ? number : (number & list->mask) / (list->mask & (0u - list->mask)));
+    uint32_t number = device_load_count(image + list->count_at, list->count_size, list->count_form);
+    return list->mask == 0u ? number : (number & list->mask) / (list->mask & (0u - list->mask));
 }
 
 /** The sent bytes of elements that differ in size, as a number in sent bytes says; SIZE_MAX for one that cannot be right. */
@@ -135,6 +121,7 @@ static inline size_t device_first_element(const device_inner_list *list, const u
 static inline size_t device_list_size(const device_inner_list *list, const uint8_t *image)
 {
     size_t number, size;
+    uint32_t counted;
     if (list->follows != NULL) {
         size = device_first_element(list, image);
         number = list->most / list->element;
@@ -143,10 +130,14 @@ static inline size_t device_list_size(const device_inner_list *list, const uint8
     if (list->count_size == 0u || list->decided_size != NULL) {
         return list->most;
     }
-    number = device_list_count(list, image);
-    if (list->plus > 0 && number < (size_t)list->plus) {
+    counted = device_list_count(list, image);
+    if (list->plus > 0 && counted < (uint32_t)list->plus) {
         return SIZE_MAX;
     }
+    if (counted > list->most + (list->plus > 0 ? (uint32_t)list->plus : 0u)) {
+        return SIZE_MAX;
+    }
+    number = (size_t)counted;
     size = (list->plus < 0 ? number + (size_t)-list->plus : number - (size_t)list->plus) * list->unit;
     return size < list->least || size > list->most || size % list->element != 0u ? SIZE_MAX : size;
 }

@@ -12,27 +12,8 @@ typedef struct device_width {
     size_t other_size; /**< The bytes of that one in the image; 0 where there is none. */
     size_t count_size; /**< The bytes of the field that counts. */
     size_t plus; /**< What it contains in addition. */
-    bool is_little; /**< Whether its least significant byte comes first. */
+    uint8_t count_form; /**< The form of its number. */
 } device_width;
-
-/** The number in a field that counts a text, which has one byte or two. */
-static inline size_t device_width_count(const device_width *field, const uint8_t *count)
-{
-    if (field->count_size == 1u) {
-        return count[0];
-    }
-    return field->is_little ? count[0] + count[1] * 256u : count[0] * 256u + count[1];
-}
-
-/** Writes the number in a field that counts a text. */
-static inline void device_width_put_count(const device_width *field, size_t number, uint8_t *count)
-{
-    uint8_t low = (uint8_t)(number & 0xFFu), high = (uint8_t)(number >> 8 & 0xFFu);
-    count[0] = field->count_size == 1u || field->is_little ? low : high;
-    if (field->count_size > 1u) {
-        count[1] = field->is_little ? high : low;
-    }
-}
 
 /** Whether a character is a digit of a field. */
 static inline bool device_width_digit(const device_width *field, uint8_t character)
@@ -134,12 +115,16 @@ static inline device_codec_status device_widen_fields(const device_width *fields
         if (field->most == 0u) {
             size = field->size;
         } else if (is_counted) {
-            size = device_width_count(field, image + field->other_at);
-            if (size < field->plus || size - field->plus > field->most) {
+            uint8_t *counting = image + field->other_at;
+            uint32_t counted = device_load_count(counting, field->count_size, field->count_form);
+            if (!device_is_count(counting, field->count_size, field->count_form)) {
+                return DEVICE_ERR_UNKNOWN_VALUE;
+            }
+            if (counted < field->plus || counted - field->plus > field->most) {
                 return is_unfit ? DEVICE_ERR_UNKNOWN_VALUE : DEVICE_ERR_WRONG_MEASURE;
             }
-            size -= field->plus;
-            device_width_put_count(field, field->size + field->plus, image + field->other_at);
+            size = (size_t)(counted - field->plus);
+            device_store_count(counting, field->count_size, field->count_form, (uint32_t)(field->size + field->plus));
         } else {
             while (at + size < length && in[at + size] != field->end) {
                 size++;
@@ -176,17 +161,14 @@ static inline device_codec_status device_narrow_fields(const device_width *field
         bool is_negative = false;
         if (field->most == 0u && field->other_size != 0u) {
             size_t text = field->other_size;
-            uint8_t sent[2];
             while (text > 0u && image[field->other_at + text - 1u] == 0u) {
                 text--;
             }
             if (field->size > capacity - written) {
                 return DEVICE_ERR_CAPACITY;
             }
-            device_width_put_count(field, text + field->plus, sent);
-            for (; first < last; first++) {
-                out[written++] = sent[first];
-            }
+            device_store_count(out + written, field->size, field->count_form, (uint32_t)(text + field->plus));
+            written += field->size;
             in += field->size;
             continue;
         }

@@ -1,4 +1,5 @@
 import { CodecError } from "./error.js";
+import { digitsOfNumber, numberOfDigits } from "./widths.js";
 
 /** The number in the bits of a number that count the elements of a field. */
 const countInBits = ({ mask }, number) => ((Number(number) & mask) >>> 0) / ((mask & -mask) >>> 0);
@@ -28,9 +29,10 @@ function countedBytes(list, bytes) {
   return (number - plus) * unit;
 }
 
-/** The number of up to four bytes at a place. */
-function listNumber({ at, length, little }, bytes) {
+/** The number at a place, of up to four bytes or of digits; NaN for what are no digits. */
+function listNumber({ at, length, little, digits }, bytes) {
   let number = 0;
+  if (digits) return numberOfDigits(digits, bytes.slice(at, at + length));
   for (let place = 0; place < length; place++) number = number * 256 + bytes[at + (little ? length - 1 - place : place)];
   return number;
 }
@@ -48,9 +50,11 @@ function measuredBytes(list, bytes) {
 }
 
 /** Some bytes with another number in the field that counts a list; bits that count it stay. */
-function setListNumber({ name, at, length, little, presence }, bytes, number) {
+function setListNumber({ name, at, length, little, digits, presence }, bytes, number) {
   if (presence) return;
-  if (number < 0 || number >= 256 ** length) throw new CodecError("out_of_range", `${name} has more bytes than a field can count`);
+  const limit = (digits ? digits === "decimal" ? 10 : 16 : 256) ** length;
+  if (number < 0 || number >= limit) throw new CodecError("out_of_range", `${name} has more bytes than a field can count`);
+  if (digits) return void bytes.set(digitsOfNumber(digits, number, length), at);
   for (let place = 0; place < length; place++) bytes[at + (little ? place : length - 1 - place)] = number / 256 ** place & 255;
 }
 
@@ -157,6 +161,9 @@ function elementIn(parts, bytes) {
  */
 function extentAt(inner, extents, image, data, at, end, isLast) {
   const list = inner.lists[extents.length];
+  if (list.digits && Number.isNaN(listNumber(list, image))) {
+    return { fault: { reason: "unknown_value", at: placeAround(inner, extents, list.at) } };
+  }
   if (list.decision) return decidedExtent(inner, list, image, extents);
   const isOpen = isLast && !list.more;
   const isMeasured = list.sentPlus !== undefined;
@@ -216,7 +223,7 @@ function measuredIn(inner, list, data, start, extents) {
  * The bytes of each list in some data, and of its elements where these differ; up to the first one for which they are
  * not known, and why. In the image of a record with `lists`, these come last, each at its `room`; the other fields have
  * `fixed` bytes, `first` of them before a list. It has `least` to `most` bytes there, `element` for each element. At `at`
- * in the image is the number of units of `unit` bytes, plus `plus`; a `length` of 0 is that of a list that always has
+ * in the image is the number of units of `unit` bytes, plus `plus`, as `digits` or binary; a `length` of 0 is that of a list that always has
  * `most` bytes. The data decide the size of the last one. `parts` tell the size of an element where elements differ, a
  * `decision` that of the only element. With a `packing`, numbers have fewer bits than in the image. With a `presence`,
  * bits of the number say whether the only element is sent, or have the count. With a `sentPlus`, the number is that of

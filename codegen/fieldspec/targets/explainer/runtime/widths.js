@@ -37,15 +37,34 @@ export function widenedBytes(field, bytes) {
   return narrowedBytes(field, image).length <= most ? image : null;
 }
 
-/** The bytes of a text that another field counts; undefined for a number that the text cannot have. */
-function countedText({ count, plus, little, most }, bytes, extents) {
-  const sent = bytes.slice(extents[count].start, extents[count].stop);
-  const number = (little ? sent.reverse() : sent).reduce((sum, byte) => 256 * sum + byte, 0) - plus;
-  return number >= 0 && number <= most ? number : undefined;
+/** The number of digits of a form; NaN for what are no digits. */
+export function numberOfDigits(form, bytes) {
+  const text = latinText(bytes);
+  return DIGITS_OF[form].test(text) ? parseInt(text, form === "decimal" ? 10 : 16) : NaN;
 }
 
-/** A number in one byte or in two. */
-function countBytes(number, size, little) {
+/** The digits of a number in a form. */
+export function digitsOfNumber(form, number, length) {
+  const text = number.toString(form === "decimal" ? 10 : 16).padStart(length, "0");
+  return latinBytes(form === "upper_hex" ? text.toUpperCase() : text);
+}
+
+/** The number of bytes of a text that another field counts; NaN for what are no digits. */
+function textNumber({ count, plus, little, digits }, bytes, extents) {
+  const sent = bytes.slice(extents[count].start, extents[count].stop);
+  if (digits) return numberOfDigits(digits, sent) - plus;
+  return (little ? sent.reverse() : sent).reduce((sum, byte) => 256 * sum + byte, 0) - plus;
+}
+
+/** The same; undefined for a number that the text cannot have. */
+function countedText(field, bytes, extents) {
+  const number = textNumber(field, bytes, extents);
+  return number >= 0 && number <= field.most ? number : undefined;
+}
+
+/** A number as digits, in one byte or in two. */
+function countBytes(number, size, { little, digits }) {
+  if (digits) return digitsOfNumber(digits, number, size);
   if (size === 1) return Uint8Array.of(number);
   return Uint8Array.from(little ? [number & 255, number >> 8] : [number >> 8, number & 255]);
 }
@@ -77,7 +96,7 @@ export function extentsOf(fields, bytes) {
     extents.push({ start, stop, image: field.most === undefined ? piece : widenedBytes(field, piece) });
     if (field.count !== undefined) {
       const count = extents[field.count];
-      count.image = countBytes(field.size + field.plus, count.stop - count.start, field.little);
+      count.image = countBytes(field.size + field.plus, count.stop - count.start, field);
     }
     start = stop;
   }
@@ -92,7 +111,8 @@ export function readImage(fields, read, bytes, offset, end) {
   if (unfit >= 0) throw new CodecError("unknown_value", `${fields[unfit].name} is not in its form`, offset + extents[unfit].start);
   const { count } = fields[extents.length] ?? {};
   if (count !== undefined && countedText(fields[extents.length], data, extents) === undefined) {
-    throw new CodecError("wrong_measure", `${fields[count].name} is not a number of bytes`, offset + extents[count].start);
+    const reason = Number.isNaN(textNumber(fields[extents.length], data, extents)) ? "unknown_value" : "wrong_measure";
+    throw new CodecError(reason, `${fields[count].name} is not a number of bytes`, offset + extents[count].start);
   }
   if (extents.length < fields.length) throw new CodecError("incomplete", `${fields[extents.length].name} has no end`, end);
   const stop = extents.at(-1).stop;
@@ -130,7 +150,7 @@ export function narrowedImage(fields, image) {
       throw new CodecError("unknown_value", `${field.name} has the character that ends it`);
     }
     if (field.count !== undefined) {
-      const count = countBytes(bytes.length + field.plus, fields[field.count].size, field.little);
+      const count = countBytes(bytes.length + field.plus, fields[field.count].size, field);
       pieces.splice(starts[field.count], count.length, ...count);
     }
     pieces.push(...bytes);

@@ -146,12 +146,25 @@ function values.remark(item, enum, key)
     values.cite(item, enum.errata[key])
 end
 
+-- Whether bytes match one of some patterns, or there are none.
+local function has_digits(bytes, patterns)
+    for _, pattern in ipairs(patterns or {}) do
+        if bytes:find(pattern) then
+            return true
+        end
+    end
+    return not patterns
+end
+
 -- The item of a text, or of bytes.
 local function show_characters(entry, tree, range, bytes, options)
     if entry.value.kind == "bytes" then
         local item = tree:add(entry.field, range)
         if options.before then
             item:prepend_text(options.before)
+        end
+        if not has_digits(bytes, entry.value.digits) then
+            values.report(item, "unknown_value", "the bytes are not the digits of a number")
         end
         values.cite(item, entry.errata)
         return item, nil, nil
