@@ -5,18 +5,18 @@ One of the headers has the constants of a version, and the other one, which incl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.omissions import Expressed, Omission, expressed, listing
 from fieldspec.codec.layout.package_codecs import codec_refusals
 from fieldspec.codec.layout.record import RegisterLayout
-from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.names import Name, stem, version_word
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
 from fieldspec.targets.c.absent import AbsentValue, absent_values, declare_absent, declare_out_of_range, ranged_values
+from fieldspec.targets.c.blocks import Block, FactBlock, print_block
 from fieldspec.targets.c.checksums import checksum_parts, declare_checksums
 from fieldspec.targets.c.conversions import declare_conversion
 from fieldspec.targets.c.declarations import (
@@ -26,7 +26,6 @@ from fieldspec.targets.c.declarations import (
     comment,
     describe_fact,
     escape_comment,
-    parted,
 )
 from fieldspec.targets.c.enums import code_tables, declare_code_texts, declare_enum
 from fieldspec.targets.c.escapes import declare_escapes
@@ -46,7 +45,7 @@ from fieldspec.targets.c.runtime_files import all_records, copy_numbers, copy_ru
 from fieldspec.targets.c.selftest import write_selftest
 from fieldspec.targets.c.subcodes import has_subcode, subcodes_of
 from fieldspec.targets.c.usages import usage_rows, version_usages
-from fieldspec.targets.pieces import facts_of, piece, register_runs, version_piece
+from fieldspec.targets.pieces import facts_of, register_runs, version_piece
 from fieldspec.targets.templates import fill
 from fieldspec.targets.usages import Rows, Usage, VersionUsages, cache_spelling, restore_spelling, spelling
 
@@ -61,23 +60,6 @@ _OWN_MACROS = (
     "wide_crc_table",
 )
 _SELECT, _LATEST = "select", "latest"
-
-Block = Sequence[Declaration]
-"""Declarations that belong together: an empty line parts them from others."""
-
-
-@dataclass(frozen=True, slots=True)
-class FactBlock:
-    """The declarations of a fact, which depend on `facts` of the model, on `words`, and on names alone.
-
-    Those of a few facts together are `blocks` of their own.
-    """
-
-    kind: str
-    facts: tuple[object, ...]
-    words: tuple[Hashable, ...]
-    declare: Callable[[], Block] = tuple
-    blocks: Callable[[], Iterable[FactBlock]] = tuple
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
@@ -249,31 +231,11 @@ def _print_sections(naming: Naming, layout: DeviceLayout) -> tuple[list[str], li
     constants: list[str] = []
     functions: list[str] = []
     for name, blocks in _sections(naming, layout):
-        pairs = [_print_block(printer, naming, block) for block in blocks if block]
+        pairs = [print_block(printer, naming, block) for block in blocks if block]
         for texts, own in ((constants, [pair[0] for pair in pairs]), (functions, [pair[1] for pair in pairs])):
             if any(own):
                 texts += [f"\n/* ---- {name} ---- */\n", *own]
     return constants, functions
-
-
-def _print_block(printer: Printer, naming: Naming, block: Block | FactBlock) -> tuple[str, str]:
-    """The constants of declarations, and the rest of them, each after an empty line; empty where there is none."""
-    if isinstance(block, FactBlock):
-        make = partial(_print_blocks, printer, naming, block)
-        return piece(f"c {block.kind}", block.facts, block.words, make, naming)
-    constants, rest = parted(block)
-    return _print_lines(printer, constants), _print_lines(printer, rest)
-
-
-def _print_blocks(printer: Printer, naming: Naming, block: FactBlock) -> tuple[str, str]:
-    """The same of a block as it declares it, with the blocks in it."""
-    blocks: list[Block | FactBlock] = [block.declare(), *block.blocks()]
-    pairs = [_print_block(printer, naming, inner) for inner in blocks]
-    return "".join([constants for constants, _ in pairs]), "".join([rest for _, rest in pairs])
-
-
-def _print_lines(printer: Printer, declarations: Block) -> str:
-    return "\n".join(["", *printer.print_declarations(declarations), ""]) if declarations else ""
 
 
 def _conversions(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:

@@ -40,12 +40,12 @@ from fieldspec.targets.c.expressions import (
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parts
 from fieldspec.targets.c.literals import ZERO, decimal, unsigned
+from fieldspec.targets.c.lone_values import lone_pieces
 from fieldspec.targets.c.naming import Naming, Noun, frame_member
 from fieldspec.targets.c.packing import is_packed
 from fieldspec.targets.c.printer import Printer
 from fieldspec.targets.c.quantities import keeps_counts, scaled_values
 from fieldspec.targets.c.runtime_files import all_records, copy_runtime, runtime_parts
-from fieldspec.targets.c.sample_values import lone_pieces
 from fieldspec.targets.c.statements import (
     Break,
     Constant,

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import partial
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from fieldspec.codec.layout.bit_counts import fitting_bit_count
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.decision import MARK
-from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.presence import masked
-from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout, RegisterLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import data_of
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
@@ -29,58 +27,13 @@ from fieldspec.language.model.encoding import (
     real_bits,
     whole_bits,
 )
-from fieldspec.language.model.registers import ParameterSet
 from fieldspec.language.model.text_form import UTF_16, text_bytes
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.enums import available_members
 from fieldspec.targets.c.fields import case_member, count_member, greatest_count, is_set_by_user, members
-from fieldspec.targets.c.naming import Naming, Noun, member
-from fieldspec.targets.c.runtime_files import is_bit
-from fieldspec.targets.c.values import WireValue
-from fieldspec.targets.pieces import Result, Run, facts_of, piece, register_runs, run_pieces
+from fieldspec.targets.c.naming import member
 
 ValuePicker = Callable[[Device, Value], Any]
-
-
-LoneValue = tuple[Noun, tuple[str, ...], WireValue, int, bool]
-"""The noun and the names of the functions of a value, its size on the wire, and whether it is a trigger."""
-
-
-def lone_pieces(
-    kind: str, layout: DeviceLayout, naming: Naming, make: Callable[[LoneValue], Iterable[Result]]
-) -> Iterator[Result]:
-    """The results of `make` for the values of registers and parameters, which have functions of their own."""
-    device = layout.device
-    orders = Orders(device.byte_order, device.word_order)
-    runs: list[Run[LoneValue]] = [(facts, partial(_of_registers, run)) for run, facts in register_runs(layout)]
-    runs += [
-        ((parameters, device.enums, device.flags), partial(_of_parameters, parameters, orders))
-        for parameters in device.parameters.values()
-    ]
-
-    def pieces(lone: LoneValue) -> Iterable[Result]:
-        noun, names, wire, size, trigger = lone
-        words = (noun, names, wire.order, wire.swapped, size, trigger)
-        return piece(kind, facts_of(device, wire.value), words, lambda: tuple(make(lone)), naming)
-
-    return run_pieces(f"{kind}s", runs, (orders,), pieces, naming)
-
-
-def _of_registers(registers: Sequence[RegisterLayout]) -> Iterator[LoneValue]:
-    for register in registers:
-        if not is_bit(register):
-            wire = WireValue(register.register.value, register.order, register.swapped)
-            yield "register", (register.name,), wire, register.size, register.register.trigger
-
-
-def _of_parameters(parameters: ParameterSet, orders: Orders) -> Iterator[LoneValue]:
-    for parameter in parameters.parameters:
-        if parameter.reserved:
-            continue
-        names = (parameters.name, parameter.name)
-        inner = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
-        for full_names, value in [(names, parameter.value), *inner]:
-            yield "parameter", full_names, WireValue(value, *orders.of(value)), value.size, parameter.trigger
 
 
 # Records whose selector has a value

@@ -36,18 +36,17 @@ from fieldspec.targets.c.expressions import (
 )
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.literals import ZERO, byte_initializer, decimal
+from fieldspec.targets.c.lone_values import LoneValue, lone_pieces
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.printer import Printer
 from fieldspec.targets.c.runtime_files import all_records
 from fieldspec.targets.c.sample_values import (
-    LoneValue,
     RecordForm,
     all_forms,
     field_sample,
     fitting,
     high_value,
-    lone_pieces,
     record_value,
     sample_bytes,
 )
