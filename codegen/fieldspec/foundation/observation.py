@@ -52,10 +52,11 @@ def _with_observed(value: Any, inner: tuple[type, ...]) -> Any:
     """A value, or the elements of a tuple or a dictionary, observed where they are of the `inner` classes."""
     if isinstance(value, inner):
         return observed(value, inner)
-    if value.__class__ is tuple:
-        return tuple([observed(item, inner) if isinstance(item, inner) else item for item in value])
-    if value.__class__ is dict:
-        return {key: observed(item, inner) if isinstance(item, inner) else item for key, item in value.items()}
+    items = value if value.__class__ is tuple else value.values() if value.__class__ is dict else ()
+    if not any(isinstance(item, inner) for item in items):
+        return value  # the same object, by which caches know it
+    of_items = [observed(item, inner) if isinstance(item, inner) else item for item in items]
+    return tuple(of_items) if value.__class__ is tuple else dict(zip(value, of_items, strict=True))
     return value
 
 

@@ -8,15 +8,18 @@ asked for, which depend on other facts too.
 from __future__ import annotations
 
 import marshal
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from typing import Any, Protocol, TypeVar
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.observation import is_same_layout, observed_layout
+from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.value import Value
 
+Item = TypeVar("Item")
 Result = TypeVar("Result")
 RequestedNames = tuple[dict[str, str], dict[str, str]]
 """The names that a piece asked for: those that were given before, and those that were given to it first."""
@@ -121,6 +124,40 @@ def facts_of(device: Device, value: Value) -> tuple[object, ...]:
     """A value and all else of the model that its codec depends on: its enum or its bits, with their enums."""
     word, enum = device.flags.get(value.flags), device.enums.get(value.enum)
     return (value, enum, word, *(device.enums.get(bit.enum) for bit in word.bits)) if word else (value, enum)
+
+
+RUN = 16
+"""How many registers make one piece together, so that unchanged ones are looked up and joined in few steps."""
+
+Run = tuple[tuple[object, ...], Callable[[], Iterable[Item]]]
+"""Items that follow from facts of the model alone, and these facts; none where there is no telling."""
+
+
+def register_runs(layout: DeviceLayout) -> Iterator[tuple[tuple[RegisterLayout, ...], tuple[object, ...]]]:
+    """The registers of a layout, a few at a time, and all of the model that the codecs of these depend on."""
+    for run in runs_of(layout.registers):
+        yield run, (*run, layout.device.enums, layout.device.flags)
+
+
+def runs_of(items: Sequence[Item]) -> Iterator[tuple[Item, ...]]:
+    """Some items, a few at a time."""
+    return (tuple(items[start : start + RUN]) for start in range(0, len(items), RUN))
+
+
+def run_pieces(
+    kind: str,
+    runs: Iterable[Run[Item]],
+    words: tuple[Hashable, ...],
+    make: Callable[[Item], Iterable[Result]],
+    names: Names | None = None,
+) -> Iterator[Result]:
+    """The results of `make` for all items, which depend only on their facts, on words and on names."""
+
+    def all_of(items: Callable[[], Iterable[Item]]) -> tuple[Result, ...]:
+        return tuple([result for item in items() for result in make(item)])
+
+    for facts, items in runs:
+        yield from piece(kind, facts, words, partial(all_of, items), names) if facts else all_of(items)
 
 
 def piece(

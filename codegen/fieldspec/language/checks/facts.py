@@ -22,8 +22,11 @@ def _has_facts(model_class: type) -> bool:
 
 _SECTIONS = tuple(content for content in MODEL_CLASSES[Device].contents if _has_facts(content.type))
 
-_OF_SECTION: ByIdentity[object, tuple[Fact, ...]] = ByIdentity(limit=100)
-"""The facts of sections, most of which versions of a device have in common."""
+_OF_SECTION: ByIdentity[object, tuple[Fact, ...]] = ByIdentity(limit=400)
+"""The facts of sections, most of which versions of a device have in common, also with misprints put back."""
+
+_ALLOWING: ByIdentity[tuple[Fact, ...], tuple[Fact, ...]] = ByIdentity(limit=400)
+"""Those of the facts of a section that allow findings."""
 
 
 def facts(device: Device) -> tuple[Fact, ...]:
@@ -32,7 +35,16 @@ def facts(device: Device) -> tuple[Fact, ...]:
 
     Devices with the same sections give the same object.
     """
-    parts = []
+    return _joined(ObjectsKey(_by_section(device)))
+
+
+def allowing(device: Device) -> Iterator[Fact]:
+    """The facts that allow findings, in the same order."""
+    for part in _by_section(device):
+        yield from _ALLOWING.get_or_compute(part, lambda part: tuple([fact for fact in part if fact.allowed]))
+
+
+def _by_section(device: Device) -> Iterator[tuple[Fact, ...]]:
     for content in _SECTIONS:
         section = getattr(device, content.attribute)
         if section not in _OF_SECTION:
@@ -42,8 +54,7 @@ def facts(device: Device) -> tuple[Fact, ...]:
                 for fact in (item, *descendants(item))
                 if isinstance(fact, Fact) and not _is_implied(fact)
             )
-        parts.append(_OF_SECTION[section])
-    return _joined(ObjectsKey(parts))
+        yield _OF_SECTION[section]
 
 
 @lru_cache(maxsize=8)

@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.source import Span
-from fieldspec.language.checks.facts import facts
+from fieldspec.language.checks.facts import allowing
 from fieldspec.language.diagnostics import Diagnostic, Label, Severity
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.fact import Fact, Place
@@ -169,8 +169,7 @@ class Coverage:
 
 def allowances(device: Device, check: str = "") -> Iterator[Allowance]:
     """All allowances of a device, or those for one check."""
-    for fact in facts(device):
-        if fact.allowed:
-            for allowed in fact.allowed:
-                if not check or allowed == check:
-                    yield Allowance(fact, allowed)
+    for fact in allowing(device):
+        for allowed in fact.allowed:
+            if not check or allowed == check:
+                yield Allowance(fact, allowed)

@@ -14,6 +14,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable
+from functools import lru_cache
 
 from fieldspec.language.checks.finding import Findings, finding, label
 from fieldspec.language.model.device import Device
@@ -49,15 +50,21 @@ def _of_list(rows: Iterable[_Placed]) -> Findings:
     for key in ("printed_name", "label"):
         series: dict[tuple[str, str, int], list[tuple[int, _Placed]]] = {}
         for row in all_rows:
-            text = getattr(row[0], key)
-            match = _NUMBERED.fullmatch(text) if text else None
-            if match:
-                series.setdefault((match[1], match[3], row[3]), []).append((int(match[2]), row))
+            parts = _parts(getattr(row[0], key))
+            if parts:
+                series.setdefault((parts[0], parts[2], row[3]), []).append((int(parts[1]), row))
         for numbered in series.values():
             for odd in _odd(numbered):
                 if odd.span.start not in reported:
                     reported.add(odd.span.start)
                     yield odd
+
+
+@lru_cache(maxsize=20_000)
+def _parts(text: str) -> tuple[str, ...]:
+    """A text in parts: what is before a number, the number, and what is after it; nothing where it has no number."""
+    match = _NUMBERED.fullmatch(text)
+    return match.groups() if match else ()
 
 
 def _odd(numbered: list[tuple[int, _Placed]]) -> Findings:

@@ -33,7 +33,8 @@ _INHERITING = (RegisterGroup, Part, Field, Case, Member, Bit, State, Parameter, 
 
 def sources_present(device: Device) -> Findings:
     manual = device.manual
-    is_cited, extent = bool(manual.mark or manual.url), manual.lines or manual.pages
+    mark, extent = manual.mark, manual.lines or manual.pages
+    is_cited = bool(mark or manual.url)
     imported: dict[str, list[str]] = {}
     sectionless: list[tuple[str, Place]] = []
     for subject, place, sources, needs_source in cited_places(device):
@@ -44,7 +45,7 @@ def sources_present(device: Device) -> Findings:
             yield finding(place, "source", text, "add `source: <section> L<line>`")
         is_sectionless = False
         for citation in sources:
-            if is_cited and not _is_within(citation, manual.mark, extent):
+            if is_cited and not _is_within(citation, mark, extent):
                 yield _wrong(manual, subject, place, citation)
             is_sectionless |= not citation.section
         if is_sectionless:

@@ -192,8 +192,10 @@ def _findings(device: Device, name: str) -> Findings:
         return
     check = _BY_NAME[name]
     verdicts = _VERDICTS.setdefault(check, {})
+    keys: dict[tuple[str, ...], ObjectsKey] = {}
     for attributes, by_values in verdicts.items():
-        remembered = by_values.get(_values(device, attributes))
+        keys[attributes] = key = _values(device, attributes)
+        remembered = by_values.get(key)
         if remembered is not None and are_in_place(remembered):
             yield from remembered
             return
@@ -210,7 +212,7 @@ def _findings(device: Device, name: str) -> Findings:
     by_values = verdicts.setdefault(attributes, {})
     if len(by_values) >= MOST_VERDICTS:
         del by_values[next(iter(by_values))]
-    by_values[_values(device, attributes)] = findings
+    by_values[keys.get(attributes) or _values(device, attributes)] = findings
 
 
 def _values(device: Device, attributes: Iterable[str]) -> ObjectsKey:

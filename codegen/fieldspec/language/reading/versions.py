@@ -250,7 +250,7 @@ class Lines:
         below = tuple(node.values.values()) if isinstance(node, Mapping) else node.items
         remaining = below
         if isinstance(node, Sequence):
-            remaining = tuple([item for item in below if not isinstance(item, Mapping) or holds(item)])
+            remaining = tuple([i for i in below if not isinstance(i, Mapping) or i in self._unbounded or holds(i)])
         picked = tuple([self._picked(item, holds) for item in remaining])
         if self._free(node, below):
             self._unbounded[node] = True

@@ -4,14 +4,17 @@ range, from others.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 from fieldspec.codec.layout.accepted import Condition, range_conditions
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.foundation.classes import dataclass
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, infinity
+from fieldspec.language.model.registers import ParameterSet
 from fieldspec.language.model.value import Sentinel, Value
 from fieldspec.targets.c.conditions import among_test, refused_number
 from fieldspec.targets.c.declarations import Declaration, Define, Function, comment, escape_comment
@@ -22,6 +25,7 @@ from fieldspec.targets.c.naming import Naming, Noun
 from fieldspec.targets.c.runtime_files import all_records, is_bit
 from fieldspec.targets.c.statements import Return, Variable
 from fieldspec.targets.c.values import type_name
+from fieldspec.targets.pieces import Run, register_runs
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,16 +66,26 @@ class AbsentValue:
 
 def absent_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
     """All values with sentinels: signals, fields and their cases, registers, parameters."""
-    return _values(layout, lambda value: bool(value.sentinels))
+    return (value for _, values in _runs(layout, lambda value: bool(value.sentinels)) for value in values())
 
 
-def ranged_values(layout: DeviceLayout) -> Iterator[AbsentValue]:
+def ranged_values(layout: DeviceLayout) -> Iterator[Run[AbsentValue]]:
     """All values of which a range is stated, in the same places: they may be out of it where they are read."""
-    return _values(layout, lambda value: value.ranges is not None or bool(value.flags))
+    return _runs(layout, lambda value: value.ranges is not None or bool(value.flags))
 
 
-def _values(layout: DeviceLayout, holds: Callable[[Value], bool]) -> Iterator[AbsentValue]:
+def _runs(layout: DeviceLayout, holds: Callable[[Value], bool]) -> Iterator[Run[AbsentValue]]:
     """The values of which something holds."""
+    yield (), partial(_of_fields, layout, holds)
+    for run, facts in register_runs(layout):
+        yield facts, partial(_of_registers, run, holds)
+    for parameters in layout.device.parameters.values():
+        facts = (parameters, layout.device.enums, layout.device.flags)
+        yield facts, partial(_of_parameters, parameters, holds)
+
+
+def _of_fields(layout: DeviceLayout, holds: Callable[[Value], bool]) -> Iterator[AbsentValue]:
+    """Those of signals and of fields of records."""
     for signal in layout.device.signals.values():
         if holds(signal.value):
             yield AbsentValue("signal", (signal.name,), signal.value)
@@ -82,18 +96,23 @@ def _values(layout: DeviceLayout, holds: Callable[[Value], bool]) -> Iterator[Ab
             for case in field.cases:
                 if holds(case.value):
                     yield AbsentValue("record", (record.name, field.name, case.name), case.value)
-    for row in layout.registers:
+
+
+def _of_registers(rows: Sequence[RegisterLayout], holds: Callable[[Value], bool]) -> Iterator[AbsentValue]:
+    for row in rows:
         if holds(row.register.value) and not is_bit(row) and not row.register.reserved:
             yield AbsentValue("register", (row.name,), row.register.value, True, row.register.trigger)
-    for parameters in layout.device.parameters.values():
-        for parameter in parameters.parameters:
-            if parameter.reserved:
-                continue
-            names = (parameters.name, parameter.name)
-            inner_values = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
-            for full_names, value in ((names, parameter.value), *inner_values):
-                if holds(value):
-                    yield AbsentValue("parameter", full_names, value, True, parameter.trigger)
+
+
+def _of_parameters(parameters: ParameterSet, holds: Callable[[Value], bool]) -> Iterator[AbsentValue]:
+    for parameter in parameters.parameters:
+        if parameter.reserved:
+            continue
+        names = (parameters.name, parameter.name)
+        inner_values = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
+        for full_names, value in ((names, parameter.value), *inner_values):
+            if holds(value):
+                yield AbsentValue("parameter", full_names, value, True, parameter.trigger)
 
 
 def declare_absent(naming: Naming, absent: AbsentValue) -> list[Declaration]:

@@ -5,17 +5,18 @@ One of the headers has the constants of a version, and the other one, which incl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.omissions import Expressed, Omission, expressed, listing
 from fieldspec.codec.layout.package_codecs import codec_refusals
-from fieldspec.foundation.classes import dataclass
+from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.foundation.names import Name, stem, version_word
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.language.model.device import Device
-from fieldspec.targets.c.absent import absent_values, declare_absent, declare_out_of_range, ranged_values
+from fieldspec.targets.c.absent import AbsentValue, absent_values, declare_absent, declare_out_of_range, ranged_values
+from fieldspec.targets.c.blocks import Block, FactBlock, print_block
 from fieldspec.targets.c.checksums import checksum_parts, declare_checksums
 from fieldspec.targets.c.conversions import declare_conversion
 from fieldspec.targets.c.declarations import (
@@ -25,7 +26,6 @@ from fieldspec.targets.c.declarations import (
     comment,
     describe_fact,
     escape_comment,
-    parted,
 )
 from fieldspec.targets.c.enums import code_tables, declare_code_texts, declare_enum
 from fieldspec.targets.c.escapes import declare_escapes
@@ -45,7 +45,7 @@ from fieldspec.targets.c.runtime_files import all_records, copy_numbers, copy_ru
 from fieldspec.targets.c.selftest import write_selftest
 from fieldspec.targets.c.subcodes import has_subcode, subcodes_of
 from fieldspec.targets.c.usages import usage_rows, version_usages
-from fieldspec.targets.pieces import facts_of, piece, version_piece
+from fieldspec.targets.pieces import facts_of, register_runs, version_piece
 from fieldspec.targets.templates import fill
 from fieldspec.targets.usages import Rows, Usage, VersionUsages, cache_spelling, restore_spelling, spelling
 
@@ -60,19 +60,6 @@ _OWN_MACROS = (
     "wide_crc_table",
 )
 _SELECT, _LATEST = "select", "latest"
-
-Block = Sequence[Declaration]
-"""Declarations that belong together: an empty line parts them from others."""
-
-
-@dataclass(frozen=True, slots=True)
-class FactBlock:
-    """The declarations of a fact, which depend on `facts` of the model, on `words`, and on names alone."""
-
-    kind: str
-    facts: tuple[object, ...]
-    words: tuple[Hashable, ...]
-    declare: Callable[[], Block]
 
 
 def refusals(versions: Sequence[DeviceLayout]) -> list[Diagnostic]:
@@ -208,8 +195,8 @@ def _claimed_names(layout: DeviceLayout) -> Naming:
     _claim_names(naming, device.version, [version.id for line in device.lines for version in line.versions])
     for _, blocks in _sections(naming, layout):
         for block in blocks:
-            if isinstance(block, FactBlock):
-                block.declare()
+            for inner in (block, *block.blocks()) if isinstance(block, FactBlock) else ():
+                inner.declare()
     return naming
 
 
@@ -225,13 +212,17 @@ def _flags(naming: Naming, device: Device) -> Iterator[FactBlock]:
 
 
 def _registers(naming: Naming, layout: DeviceLayout) -> Iterator[FactBlock]:
-    device = layout.device
-    for register in layout.registers:
-        fact = register.register
-        space = device.space_name(fact.space) if device.several_spaces else ""
-        facts = (fact, *facts_of(device, fact.value))
-        declare = partial(declare_register, naming, device, register)
-        yield FactBlock("register", facts, (*register.numbers, space), declare)
+    for run, facts in register_runs(layout):
+        blocks = partial(map, partial(_register, naming, layout.device), run)
+        yield FactBlock("registers", facts, tuple(layout.device.spaces), blocks=blocks)
+
+
+def _register(naming: Naming, device: Device, register: RegisterLayout) -> FactBlock:
+    fact = register.register
+    space = device.space_name(fact.space) if device.several_spaces else ""
+    facts = (fact, *facts_of(device, fact.value))
+    declare = partial(declare_register, naming, device, register)
+    return FactBlock("register", facts, (*register.numbers, space), declare)
 
 
 def _print_sections(naming: Naming, layout: DeviceLayout) -> tuple[list[str], list[str]]:
@@ -240,24 +231,11 @@ def _print_sections(naming: Naming, layout: DeviceLayout) -> tuple[list[str], li
     constants: list[str] = []
     functions: list[str] = []
     for name, blocks in _sections(naming, layout):
-        pairs = [_print_block(printer, naming, block) for block in blocks if block]
+        pairs = [print_block(printer, naming, block) for block in blocks if block]
         for texts, own in ((constants, [pair[0] for pair in pairs]), (functions, [pair[1] for pair in pairs])):
             if any(own):
                 texts += [f"\n/* ---- {name} ---- */\n", *own]
     return constants, functions
-
-
-def _print_block(printer: Printer, naming: Naming, block: Block | FactBlock) -> tuple[str, str]:
-    """The constants of declarations, and the rest of them, each after an empty line; empty where there is none."""
-    if isinstance(block, FactBlock):
-        kind, declare = f"c {block.kind}", block.declare
-        return piece(kind, block.facts, block.words, lambda: _print_block(printer, naming, declare()), naming)
-    constants, rest = parted(block)
-    return _print_lines(printer, constants), _print_lines(printer, rest)
-
-
-def _print_lines(printer: Printer, declarations: Block) -> str:
-    return "\n".join(["", *printer.print_declarations(declarations), ""]) if declarations else ""
 
 
 def _conversions(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
@@ -283,9 +261,22 @@ def _absent_values(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:
 
 def _out_of_range(naming: Naming, layout: DeviceLayout) -> Iterator[FactBlock]:
     device = layout.device
-    for ranged in ranged_values(layout):
+
+    def block(ranged: AbsentValue) -> FactBlock:
         facts, words = facts_of(device, ranged.value), (ranged.noun, ranged.names, ranged.trigger)
-        yield FactBlock("out of range", facts, words, partial(declare_out_of_range, naming, device, ranged))
+        return FactBlock("out of range", facts, words, partial(declare_out_of_range, naming, device, ranged))
+
+    for facts, values in ranged_values(layout):
+        if facts:
+            yield FactBlock("all out of range", facts, (), blocks=partial(_each, block, values))
+        else:
+            yield from map(block, values())
+
+
+def _each(
+    block: Callable[[AbsentValue], FactBlock], values: Callable[[], Iterable[AbsentValue]]
+) -> Iterator[FactBlock]:
+    return map(block, values())
 
 
 def _messages(naming: Naming, layout: DeviceLayout) -> Iterator[Block]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
 
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.frame import LinkLayout
@@ -29,12 +28,12 @@ from fieldspec.targets.c.expressions import (
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.frames import header_parts
 from fieldspec.targets.c.literals import NULL, ZERO, decimal, unsigned
+from fieldspec.targets.c.lone_values import lone_pieces
 from fieldspec.targets.c.naming import Naming, Noun, frame_member
 from fieldspec.targets.c.packing import is_packed
 from fieldspec.targets.c.printer import Printer
 from fieldspec.targets.c.quantities import keeps_counts, scaled_values
 from fieldspec.targets.c.runtime_files import all_records, copy_runtime, runtime_parts
-from fieldspec.targets.c.sample_values import lone_values
 from fieldspec.targets.c.statements import (
     Break,
     Constant,
@@ -48,7 +47,6 @@ from fieldspec.targets.c.statements import (
     call,
 )
 from fieldspec.targets.c.values import WireValue, accessed_type, declare_value, status_type, type_name
-from fieldspec.targets.pieces import facts_of, piece
 from fieldspec.targets.templates import fill
 
 _BYTE = Type("uint8_t")
@@ -135,10 +133,7 @@ def _record_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
 
 
 def _value_macros(layout: DeviceLayout, naming: Naming) -> Iterator[Call]:
-    for noun, names, wire, size, trigger in lone_values(layout):
-        make = partial(_value_macro, naming, layout.device, noun, names, wire, size, trigger)
-        words = (noun, names, wire.order, wire.swapped, size, trigger)
-        yield piece("c macro", facts_of(layout.device, wire.value), words, make, naming)
+    return lone_pieces("c macro", layout, naming, lambda lone: (_value_macro(naming, layout.device, *lone),))
 
 
 def _value_macro(

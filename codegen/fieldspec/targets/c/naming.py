@@ -70,17 +70,23 @@ class Naming:
 
     @contextmanager
     def noting(self) -> Iterator[RequestedNames]:
-        """Meanwhile, records the requests and the names. A piece has no pieces."""
-        assert self._noted is None
-        self._noted = {}, {}
+        """Meanwhile, records the requests and the names; those of a piece in a piece count as those of both."""
+        outer, self._noted = self._noted, ({}, {})
+        requested_names = self._noted
         try:
-            yield self._noted
+            yield requested_names
         finally:
-            self._noted = None
+            self._noted = outer
+        self._note(requested_names)
+
+    def _note(self, requested_names: RequestedNames) -> None:
+        if self._noted is not None:
+            earlier, new = self._noted
+            earlier.update(item for item in requested_names[0].items() if item[0] not in new)
+            new.update(requested_names[1])
 
     def gives(self, requested_names: RequestedNames) -> bool:
         """Gives the same names again, all or none."""
-        assert self._noted is None
         earlier, new = requested_names
         if not (earlier.items() <= self._given.items() and _NUMBERED.isdisjoint(new.values())):
             return False
@@ -90,6 +96,7 @@ class Naming:
             self._taken = {*_TAKEN_WORDS, *self._given.values()}
             return False
         self._given.update(new)
+        self._note(requested_names)
         return True
 
     def type(self, noun: Noun, *parts: str) -> str:

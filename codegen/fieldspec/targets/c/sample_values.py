@@ -8,9 +8,8 @@ from typing import Any
 from fieldspec.codec.layout.bit_counts import fitting_bit_count
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.decision import MARK
-from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.presence import masked
-from fieldspec.codec.layout.record import FieldLayout, Orders, RecordLayout
+from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import data_of
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.exhaustive import assert_never
@@ -32,32 +31,9 @@ from fieldspec.language.model.text_form import UTF_16, text_bytes
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.enums import available_members
 from fieldspec.targets.c.fields import case_member, count_member, greatest_count, is_set_by_user, members
-from fieldspec.targets.c.naming import Noun, member
-from fieldspec.targets.c.runtime_files import is_bit
-from fieldspec.targets.c.values import WireValue
+from fieldspec.targets.c.naming import member
 
 ValuePicker = Callable[[Device, Value], Any]
-
-
-def lone_values(layout: DeviceLayout) -> Iterator[tuple[Noun, tuple[str, ...], WireValue, int, bool]]:
-    """The values of registers and parameters, which have functions of their own.
-
-    Each with the noun and the names of its functions, its size on the wire, and whether it is a trigger.
-    """
-    device = layout.device
-    for register in layout.registers:
-        if not is_bit(register):
-            wire = WireValue(register.register.value, register.order, register.swapped)
-            yield "register", (register.name,), wire, register.size, register.register.trigger
-    orders = Orders(device.byte_order, device.word_order)
-    for parameters in device.parameters.values():
-        for parameter in parameters.parameters:
-            if parameter.reserved:
-                continue
-            names = (parameters.name, parameter.name)
-            inner = [((*names, inner.name), inner.value) for inner in parameter.subindices if not inner.reserved]
-            for full_names, value in [(names, parameter.value), *inner]:
-                yield "parameter", full_names, WireValue(value, *orders.of(value)), value.size, parameter.trigger
 
 
 # Records whose selector has a value

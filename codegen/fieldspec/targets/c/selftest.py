@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from itertools import chain
 from typing import Any
@@ -10,7 +10,7 @@ from typing import Any
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.layout.record import RecordLayout
 from fieldspec.language.model.encoding import bounds_of
-from fieldspec.targets.c.absent import ranged_values
+from fieldspec.targets.c.absent import AbsentValue, ranged_values
 from fieldspec.targets.c.assertions import (
     LENGTH,
     clear_variable,
@@ -25,6 +25,7 @@ from fieldspec.targets.c.enums import code_tables
 from fieldspec.targets.c.expressions import SIZE_TYPE, Call, Expression, Identifier, SizeOf, Type
 from fieldspec.targets.c.fields import members
 from fieldspec.targets.c.literals import ZERO, byte_initializer, decimal
+from fieldspec.targets.c.lone_values import LoneValue, lone_pieces
 from fieldspec.targets.c.machine import literal
 from fieldspec.targets.c.naming import Naming, member
 from fieldspec.targets.c.printer import Printer
@@ -35,7 +36,6 @@ from fieldspec.targets.c.sample_values import (
     field_sample,
     fitting,
     high_value,
-    lone_values,
     record_value,
     sample_bytes,
 )
@@ -43,7 +43,7 @@ from fieldspec.targets.c.selftest_examples import test_example
 from fieldspec.targets.c.selftest_quantities import test_absent, test_out_of_range, test_quantities
 from fieldspec.targets.c.selftest_values import test_constants, test_conversions, test_value
 from fieldspec.targets.c.statements import Statement, Variable, Variables, assign, call
-from fieldspec.targets.pieces import facts_of, piece
+from fieldspec.targets.pieces import facts_of, piece, run_pieces
 from fieldspec.targets.templates import fill, text
 
 BYTE = Type("uint8_t")
@@ -95,23 +95,26 @@ _TEST = "test_"
 
 def _value_tests(layout: DeviceLayout, naming: Naming, printer: Printer) -> Iterator[str]:
     """The function for the value of each register and parameter, where there is something to test."""
-    for noun, names, wire, size, trigger in lone_values(layout):
-        order = wire.order, wire.swapped
-        bodies = partial(test_value, layout.device, naming, noun, names, wire.value, order, size, trigger)
-        facts, words = facts_of(layout.device, wire.value), (noun, names, order, size, trigger)
-        yield from piece("c test", facts, words, partial(_print_tests, printer, bodies), naming)
+
+    def tests(lone: LoneValue) -> Iterator[str]:
+        noun, names, wire, size, trigger = lone
+        bodies = test_value(layout.device, naming, noun, names, wire.value, (wire.order, wire.swapped), size, trigger)
+        return map(partial(_print_test, printer), bodies)
+
+    return lone_pieces("c test", layout, naming, tests)
 
 
 def _range_tests(layout: DeviceLayout, naming: Naming, printer: Printer) -> Iterator[str]:
     """The function for the range of each value that may be out of it where it is read."""
-    for ranged in ranged_values(layout):
-        bodies = partial(test_out_of_range, layout.device, naming, ranged)
+
+    def tests(ranged: AbsentValue) -> tuple[str, ...]:
         facts, words = facts_of(layout.device, ranged.value), (ranged.noun, ranged.names, ranged.trigger)
-        yield from piece("c range test", facts, words, partial(_print_tests, printer, bodies), naming)
+        bodies = partial(test_out_of_range, layout.device, naming, ranged)
+        return piece(
+            "c range test", facts, words, lambda: tuple(_print_test(printer, body) for body in bodies()), naming
+        )
 
-
-def _print_tests(printer: Printer, bodies: Callable[[], Iterator[list[Statement]]]) -> tuple[str, ...]:
-    return tuple([_print_test(printer, body) for body in bodies()])
+    return run_pieces("c range tests", ranged_values(layout), (), tests, naming)
 
 
 def _print_test(printer: Printer, body: list[Statement]) -> str:

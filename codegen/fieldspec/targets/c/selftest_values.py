@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import TypeVar
 
 from fieldspec.codec.layout.device import DeviceLayout
+from fieldspec.codec.layout.record import RegisterLayout
 from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import bounds_of, is_count
 from fieldspec.language.model.enums import Enum, Flags
@@ -41,7 +42,7 @@ from fieldspec.targets.c.quantities import keeps_counts
 from fieldspec.targets.c.sample_values import legal_numbers, value_bytes
 from fieldspec.targets.c.statements import Block, CompileIf, Printed, Statement, Variable, assign, discard
 from fieldspec.targets.c.values import accessed_type, type_name
-from fieldspec.targets.pieces import piece
+from fieldspec.targets.pieces import piece, register_runs
 
 
 def test_constants(layout: DeviceLayout, naming: Naming) -> Iterator[list[Statement]]:
@@ -62,12 +63,12 @@ Tested = TypeVar("Tested")
 
 
 def _printed(naming: Naming, kind: str, fact: Tested, test: Callable[[Naming, Tested], Iterable[Statement]]) -> Printed:
-    """The tests of a fact of the model that depend on nothing else."""
+    """The tests of a fact of the model, or of a tuple of them, that depend on nothing else."""
 
     def make() -> Printed:
         return Printed(tuple(Printer().print_statements(test(naming, fact), INDENT)))
 
-    return piece(f"c test of {kind}", (fact,), (), make, naming)
+    return piece(f"c test of {kind}", fact if isinstance(fact, tuple) else (fact,), (), make, naming)
 
 
 def _expect_constant(name: str, number: Expression) -> Statement:
@@ -149,13 +150,18 @@ def _test_messages(layout: DeviceLayout, naming: Naming) -> Iterator[Statement]:
 
 
 def _test_addresses(layout: DeviceLayout, naming: Naming) -> Iterator[Statement]:
-    for register in layout.registers:
-        yield _expect_constant(naming.macro("register", register.name, "address"), unsigned(register.address))
+    for run, _ in register_runs(layout):
+        yield _printed(naming, "addresses", run, _test_run)
     for table in layout.tables.values():
         last = table.table.indexes[-1]
         function = naming.function("table", table.name, "at")
         base = (unsigned(table.table.base),) if table.table.base_by else ()
         yield _test_last(naming, function, "uint16_t", "address", last, table.table.address(last), base)
+
+
+def _test_run(naming: Naming, registers: Sequence[RegisterLayout]) -> Iterator[Statement]:
+    for register in registers:
+        yield _expect_constant(naming.macro("register", register.name, "address"), unsigned(register.address))
 
 
 def _test_numbers(naming: Naming, parameters: ParameterSet) -> Iterator[Statement]:

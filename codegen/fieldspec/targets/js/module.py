@@ -79,10 +79,11 @@ def remaining(layout: DeviceLayout) -> Expressed:
     return expressed(layout, codec_refusals(layout, "JavaScript", javascript))
 
 
-def declarations(names: Names) -> list[Declaration]:
+def declarations(names: Names, spelled: bool = False) -> list[Declaration]:
     """Everything that the module of a version declares, in an order in which nothing is used before it.
 
-    Enums, words of flags, records and messages are added to the names.
+    Enums, words of flags, records, messages and registers are added to the names. Where usages are only `spelled`, the
+    declarations of enums, words of flags and registers are left out: their names are all that usages need of them.
     """
     layout, scope = names.layout, names.scope
     device = layout.device
@@ -99,8 +100,9 @@ def declarations(names: Names) -> list[Declaration]:
             Name.of(message.name).pascal(), f"{Name.of(message.name).pascal()}Message"
         )
     rows = [Declaration(codec_constants(layout), [])]
-    rows += [declare_enum(enum, names.enums[enum.name]) for enum in device.enums.values()]
-    rows += [declare_flags(flags, names.flags[flags.name], device.enums) for flags in device.flags.values()]
+    if not spelled:
+        rows += [declare_enum(enum, names.enums[enum.name]) for enum in device.enums.values()]
+        rows += [declare_flags(flags, names.flags[flags.name], device.enums) for flags in device.flags.values()]
     rows += [
         declare_record(record, names.records[name], names, sentence(Name.of(name).title()))
         for name, record in layout.records.items()
@@ -114,7 +116,9 @@ def declarations(names: Names) -> list[Declaration]:
         if any(carries(link, message) for message in layout.messages.values())
     ]
     rows += [declare_conversion(conversion, names) for conversion in device.conversions.values()]
-    rows += [declare_register(register, names) for register in layout.registers]
+    for register in layout.registers:
+        names.registers[register.name] = scope.take(Name.of(register.name).upper())
+    rows += [] if spelled else [declare_register(register, names) for register in layout.registers]
     rows += [declare_table(table, names) for table in layout.tables.values()]
     if layout.registers or layout.tables:
         rows.append(declare_accesses(names))

@@ -25,7 +25,7 @@ from fieldspec.targets.js.values import Slot
 def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     """The object of a register, or of an array of registers."""
     register, device = layout.register, names.layout.device
-    name = names.registers[layout.name] = names.scope.take(Name.of(layout.name).upper())
+    name = names.registers[layout.name]
     size = layout.size if register.value.type.name == BIT else register.value.size
     request = Slot(
         layout.name, register.value, size, layout.order, register.value.write_swapped(layout.swapped), device

@@ -36,7 +36,7 @@ _WRITE = """
 const [command] = {functions}.writeRequests(device.@0@, {value});
 const written = device.{link}.encodeRequest({header}, command.message, command.data);
 """
-_DECLARED = re.compile(r"export const (\w+) = /\* @__PURE__ \*/ (register|registerArray|table|link|parameterSet)\(")
+_DECLARED = re.compile(r"export const (\w+) = /\* @__PURE__ \*/ (table|link|parameterSet)\(")
 _KEY = re.compile(r"  (\w+): ")
 
 
@@ -54,7 +54,7 @@ def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
 
 def _spell(layout: DeviceLayout) -> Iterator[Usage]:
     names = Names(layout, module_scope())
-    return usage_rows(names, declarations(names))
+    return usage_rows(names, declarations(names, spelled=True))
 
 
 def usage_rows(names: Names, rows: Sequence[Declaration]) -> Iterator[Usage]:
@@ -65,7 +65,7 @@ def usage_rows(names: Names, rows: Sequence[Declaration]) -> Iterator[Usage]:
         for line in row.code:
             if match := _DECLARED.match(line):
                 keys = [key[1] for inner in row.code[1:] if (key := _KEY.match(inner))]
-                declared.setdefault(match[2].removesuffix("Array"), []).append((match[1], keys))
+                declared.setdefault(match[2], []).append((match[1], keys))
     carrying = [link for link in layout.links.values() if any(carries(link, m) for m in layout.messages.values())]
     links = {link.name: name for link, (name, _) in zip(carrying, declared.get("link", ()), strict=True)}
     return _Usages(names, links, declared).rows()
@@ -73,7 +73,7 @@ def usage_rows(names: Names, rows: Sequence[Declaration]) -> Iterator[Usage]:
 
 @dataclass(frozen=True, slots=True)
 class _Usages:
-    """The names of a module: of links by their names in the spec, of the rest in the order of the layout."""
+    """The names of a module: of links by their names in the spec, of tables and sets in the order of the layout."""
 
     names: Names
     links: dict[str, str]
@@ -94,8 +94,8 @@ class _Usages:
         yield from self._parameters()
 
     def _registers(self, known: Sequence[Access]) -> Iterator[Usage]:
-        for layout, (name, _) in zip(self.layout.registers, self.declared.get("register", ()), strict=True):
-            register, value = layout.register, layout.register.value
+        for layout in self.layout.registers:
+            register, value, name = layout.register, layout.register.value, self.names.registers[layout.name]
             if register.reserved:
                 continue
             space = self._space(register.space)

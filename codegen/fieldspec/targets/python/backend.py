@@ -11,7 +11,7 @@ from typing import Any
 from fieldspec.codec.layout.detection import version_detection, version_lines
 from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.targets.fact_texts import detection_text, sentence
-from fieldspec.targets.pieces import piece, version_piece
+from fieldspec.targets.pieces import piece, runs_of, version_piece
 from fieldspec.targets.python.client import client_view
 from fieldspec.targets.python.codecs import codec_modules
 from fieldspec.targets.python.device import device_view
@@ -172,9 +172,7 @@ def _module(folder: str, module: str, view: Mapping[str, Any]) -> dict[str, str]
         texts[f"{folder}/{name}.py"] = _module_text(doc, body, defined, words, part_imports(places, words))
         places |= dict.fromkeys(defined, name)
     body = fill("python/body.py.j2", **view, texts=[_PLACE], register_texts=[_PLACE])
-    words = all_words(body).union(
-        *(piece("python words", (of_text,), (), partial(all_words, text)) for of_text, text in (*classes, *registers))
-    )
+    words = all_words(body).union(*map(_words, runs_of([*classes, *registers])))
     for stated in (classes, registers):
         body = body.replace(_PLACE, "".join(text for _, text in stated), 1)
     names = sorted(view["names"])
@@ -182,6 +180,13 @@ def _module(folder: str, module: str, view: Mapping[str, Any]) -> dict[str, str]
         view["doc"], body, names, words, part_imports(places, {*names, *words}) if parts else []
     )
     return texts
+
+
+def _words(run: Sequence[tuple[object, str]]) -> AbstractSet[str]:
+    """The words of the texts of some views."""
+    return piece(
+        "python words", tuple([view for view, _ in run]), (), lambda: all_words("\n".join([t for _, t in run]))
+    )
 
 
 def _register_text(register: Any) -> str:

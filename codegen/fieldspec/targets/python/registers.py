@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from fieldspec.codec.layout.accepted import stated_numbers
@@ -20,7 +20,7 @@ from fieldspec.language.model.registers import Table
 from fieldspec.language.model.text_form import text_form_title
 from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import described
-from fieldspec.targets.pieces import facts_of, piece
+from fieldspec.targets.pieces import facts_of, piece, register_runs
 from fieldspec.targets.python.naming import Scope
 from fieldspec.targets.python.scaling import quantity, ratio
 from fieldspec.targets.python.slots import Words
@@ -206,11 +206,35 @@ def register_views(
     """
     names = {row.name: scope.take(Name.of(row.name).upper()) for row in layout.registers}
     views = {
-        row.name: _remembered_view(layout, row, words, names, space(row.register.space)) for row in layout.registers
+        view_name: view
+        for run, facts in register_runs(layout)
+        for view_name, view in _run_views(layout, run, facts, words, names, space)
     }
     exponents = {row.register.value.scale_by for row in layout.registers}
     stated = sorted(views, key=lambda name: name not in exponents)
     return list(views.values()), [views[name] for name in stated]
+
+
+def _run_views(
+    layout: DeviceLayout,
+    run: Sequence[RegisterLayout],
+    facts: tuple[object, ...],
+    words: Words,
+    names: Mapping[str, str],
+    space: Callable[[str], str],
+) -> tuple[tuple[str, RegisterView], ...]:
+    """The views of a few registers by their names, and all that the views refer to."""
+    values = [row.register.value for row in run]
+    facts = (*facts, *[words.enums.get(value.enum) for value in values])
+    referred = [(names.get(value.scale_by), words.flags.get(value.flags)) for value in values]
+    own = [(names[row.name], space(row.register.space)) for row in run]
+
+    def make() -> tuple[tuple[str, RegisterView], ...]:
+        return tuple(
+            [(row.name, _remembered_view(layout, row, words, names, space(row.register.space))) for row in run]
+        )
+
+    return piece("python registers", facts, (layout.device.byte_order, *referred, *own), make)
 
 
 def _remembered_view(

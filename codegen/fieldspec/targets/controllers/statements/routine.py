@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 from typing import TypeAlias
 
+from fieldspec.foundation.caches import ByIdentity
 from fieldspec.foundation.classes import dataclass
 from fieldspec.targets.controllers.statements.expressions import (
     INT,
@@ -234,8 +235,18 @@ def used(body: Body) -> set[str]:
     return _names(body)[1]
 
 
-def _names(body: Body) -> tuple[set[str], set[str], list[Whole]]:
+_Names: TypeAlias = tuple[set[str], set[str], list[Whole]]
+
+_NAMES: ByIdentity[Body, _Names] = ByIdentity(limit=1000)
+"""The names in statements, which those who declare, print and choose a routine all ask for."""
+
+
+def _names(body: Body) -> _Names:
     """The names of the routines that some statements call, of their variables, and of named numbers."""
+    return _NAMES.get_or_compute(body, _searched)
+
+
+def _searched(body: Body) -> _Names:
     routines: set[str] = set()
     numbers: list[Whole] = []
     variables: set[str] = set()
