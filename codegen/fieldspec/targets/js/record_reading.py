@@ -52,10 +52,14 @@ def _reader(record: RecordLayout, name: str, names: Names) -> list[str]:
 
 def size_check(record: RecordLayout) -> str:
     """The statement that refuses data of a wrong size."""
-    least, most = record.least, LONGEST if record.most is None else min(record.most, LONGEST)
-    tests = [f"end - o !== {least}"] if least == most else [f"end - o < {least}"] * (least > 0) + [f"end - o > {most}"]
+    minimum, maximum = record.least, LONGEST if record.most is None else min(record.most, LONGEST)
+    tests = (
+        [f"end - o !== {minimum}"]
+        if minimum == maximum
+        else [f"end - o < {minimum}"] * (minimum > 0) + [f"end - o > {maximum}"]
+    )
     test = " || ".join(tests)
-    return f"if ({test}) throw wrongSize({literal(record.name)}, {least}, {most}, end - o, o);"
+    return f"if ({test}) throw wrongSize({literal(record.name)}, {minimum}, {maximum}, end - o, o);"
 
 
 def _read_member(record: RecordLayout, member: Member, names: Names) -> tuple[list[str], str]:

@@ -17,7 +17,7 @@ from fieldspec.targets.js.text import function, literal, plus
 
 
 def write_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
-    """The functions that write a record and count its bytes, or those of its layouts if it has several."""
+    """The functions that write a record and count its bytes, for each layout if it has several."""
     if record.spans:
         return [*_write_fields(record, f"writeImage{name}", names), *write_widths(record, name)]
     if record.inner_lists is not None:
