@@ -150,9 +150,10 @@ FRAMES = 30
 
 
 @cache
-def linker() -> DeviceLayout:
-    """The made-up device of this file."""
-    project = load({"linker/device.yaml": SPEC.replace("%s", "1" * 64).encode()})
+def linker(bare: str = "bare") -> DeviceLayout:
+    """The made-up device of this file, with the name of its link without an end delimiter or a length."""
+    text = SPEC.replace("%s", "1" * 64).replace("bare", bare)
+    project = load({"linker/device.yaml": text.encode()})
     assert [finding.message for finding in project.findings] == []
     return layouts(project.devices["linker"])[0]
 

@@ -159,7 +159,7 @@ function wrongNumber(reason, name, number, expected, offset) {
 }
 
 function refusedNumber(name, value, allowed, wide) {
-  return wrongType(name, value, wide) ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
+  return wrongWhole(name, value, wide) ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
 }
 
 function refusedBits(name, bits, allowed) {
@@ -167,18 +167,21 @@ function refusedBits(name, bits, allowed) {
 }
 
 function refusedMember(name, value, enumName, wide) {
-  return wrongType(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
+  return wrongWhole(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
 }
 
-function wrongType(name, value, wide) {
-  if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
+function wrongWhole(name, value, wide) {
   if (wide ? typeof value === "bigint" : Number.isInteger(value)) return null;
-  return new CodecError("wrong_type", `${name} is ${wide ? "a bigint" : "a whole number"}, not ${printed(value)}`);
+  return wrongType(name, value, wide ? "a bigint" : "a whole number");
+}
+
+function wrongType(name, value, kind) {
+  if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
+  return new CodecError("wrong_type", `${name} is ${kind}, not ${printed(value)}`);
 }
 
 function refusedList(name, value, least, most) {
-  if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
-  if (!Array.isArray(value)) return new CodecError("wrong_type", `${name} is an array, not ${printed(value)}`);
+  if (!Array.isArray(value)) return wrongType(name, value, "an array");
   const count = least === most ? `${least}` : `${least}..${most}`;
   return new CodecError("wrong_length", `${name} has ${count} elements, not ${value.length}`);
 }

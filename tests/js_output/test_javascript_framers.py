@@ -69,6 +69,14 @@ def camel(name: str) -> str:
     return first + "".join(word.capitalize() for word in rest)
 
 
+@pytest.mark.parametrize("name", ["digits_of", "frames", "wrong_size"])
+def test_a_link_may_have_the_name_of_a_helper_that_its_module_imports(name: str, tmp_path: Path) -> None:
+    write(tmp_path, {**shared(), "device/module.js": module_code(linker(name))})
+    command = [require_tool("node"), str(tmp_path / "device" / "module.js")]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert run.stderr == ""
+
+
 def test_streams_are_cut_as_in_python_where_no_length_determines_the_end(tmp_path: Path) -> None:
     layout, module = linker(), linker_module()
     write(tmp_path, {**shared(), "device/module.js": module_code(layout)})

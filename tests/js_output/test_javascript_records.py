@@ -61,6 +61,27 @@ def test_a_record_has_the_bytes_or_the_reason_of_the_reference(name: str) -> Non
     assert run.stdout.strip() == expected(VALUES[name])
 
 
+NO_OBJECTS = """
+const record = (await import(process.argv[1]))[process.argv[2]];
+const reasons = [null, undefined, 5, "abcdefghi", () => 1].map((value) => {
+  try {
+    return `${record.encode(value)}`;
+  } catch (error) {
+    return error.reason;
+  }
+});
+console.log(reasons.join(" "));
+"""
+
+
+@pytest.mark.parametrize("name", ["WriteRegisterRequest", "ReportServerIdRequest"])
+def test_a_record_refuses_what_is_not_an_object_even_without_fields(name: str) -> None:
+    module = module_path(layouts(SPECS)["ck10"][-1])
+    command = [require_tool("node"), "--input-type=module", "-e", NO_OBJECTS, module, name]
+    printed = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    assert printed.split() == ["wrong_type", "missing_value", "wrong_type", "wrong_type", "wrong_type"]
+
+
 LONG = """
 const { record } = await import(process.argv[1]);
 const size = (value) => value.size;

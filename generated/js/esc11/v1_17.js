@@ -9,12 +9,12 @@
  */
 import { absentValues } from "../runtime/absent.js";
 import { sum8 } from "../runtime/checksums.js";
-import { brokenList, refusedMember, refusedNumber, wrongNumber } from "../runtime/error.js";
+import { brokenList, refusedMember, refusedNumber, wrongNumber, wrongSize } from "../runtime/error.js";
 import { lengthFramer } from "../runtime/framer.js";
 import { frames, link, message } from "../runtime/link.js";
 import { parameter, parameterSet, parameters } from "../runtime/parameter.js";
 import { unit } from "../runtime/quantity.js";
-import { checkSize, record } from "../runtime/record.js";
+import { record } from "../runtime/record.js";
 import { booleanOf, checkList, listLength, numberOf, putText, setBits, textOf } from "../runtime/values.js";
 
 export const DEVICE = "esc11";
@@ -149,34 +149,31 @@ export const IoStateOutputs = /* @__PURE__ */ Object.freeze({
   raw: (bits, raw = 0) => setBits("io_state_outputs", BITS_OF_IoStateOutputs, bits, raw, 8),
 });
 
-function readAlarmHistoryEntry(b, o) {
+const readAlarmHistoryEntry = (b, o, end) => {
+  if (end - o !== 4) throw wrongSize("alarm_history_entry", 4, 4, end - o, o);
   return {
     hours: ((b[o + 1] << 8) | b[o]),
     minutes: b[o + 2],
     alarmCode: b[o + 3],
   };
-}
-function writeAlarmHistoryEntry(value, b, o) {
+};
+const writeAlarmHistoryEntry = (value, b, o) => {
   const hours_ = value.hours;
-  if (!((hours_ & 65535) === hours_)) throw refusedNumber("hours", hours_, "0..65535");
+  if (!(hours_ === (hours_ & 65535))) throw refusedNumber("hours", hours_, "0..65535");
   b[o] = hours_;
   b[o + 1] = hours_ >>> 8;
   const minutes_ = value.minutes;
-  if (!((minutes_ & 255) === minutes_ && minutes_ <= 60)) throw refusedNumber("minutes", minutes_, "0..60");
+  if (!(minutes_ === (minutes_ & 255) && minutes_ <= 60)) throw refusedNumber("minutes", minutes_, "0..60");
   b[o + 2] = minutes_;
   const alarmCode_ = value.alarmCode;
-  if (!((alarmCode_ & 255) === alarmCode_)) throw refusedNumber("alarm_code", alarmCode_, "0..255");
+  if (!(alarmCode_ === (alarmCode_ & 255))) throw refusedNumber("alarm_code", alarmCode_, "0..255");
   b[o + 3] = alarmCode_;
-}
-function checkAlarmHistoryEntry(b, o, end) {
-  checkSize("alarm_history_entry", 4, 4, o, end);
-  return readAlarmHistoryEntry(b, o, end);
-}
+};
 export const AlarmHistoryEntry = /* @__PURE__ */ record({
   name: "alarm_history_entry",
   least: 4,
   most: 4,
-  read: checkAlarmHistoryEntry,
+  read: readAlarmHistoryEntry,
   write: writeAlarmHistoryEntry,
   size: null,
   keys: { __proto__: null, hours: 0, minutes: 0, alarmCode: 0 },
@@ -184,8 +181,9 @@ export const AlarmHistoryEntry = /* @__PURE__ */ record({
   absent: { minutes: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 60]] }) },
 });
 
-function readPoint(b, o) {
+const readPoint = (b, o, end) => {
   o &= 0x7fffffff;
+  if (end - o !== 16) throw wrongSize("point", 16, 16, end - o, o);
   const mode_ = b[o + 1];
   if (!(mode_ === 65 || mode_ === 67 || (mode_ >= 71 && mode_ <= 75) || mode_ === 79)) throw wrongNumber("unknown_value", "mode", mode_, "which point_mode does not list", o + 1);
   return {
@@ -197,49 +195,45 @@ function readPoint(b, o) {
     zoneLimit1: ((b[o + 11] << 24) | (b[o + 10] << 16) | (b[o + 9] << 8) | b[o + 8]),
     zoneLimit2: ((b[o + 15] << 24) | (b[o + 14] << 16) | (b[o + 13] << 8) | b[o + 12]),
   };
-}
-function writePoint(value, b, o) {
+};
+const writePoint = (value, b, o) => {
   o &= 0x7fffffff;
   const number_ = value.number;
-  if (!((number_ & 255) === number_ && number_ >= 1 && number_ <= 31)) throw refusedNumber("number", number_, "1..31");
+  if (!(number_ === (number_ & 255) && number_ >= 1 && number_ <= 31)) throw refusedNumber("number", number_, "1..31");
   b[o] = number_;
   const mode_ = value.mode;
-  if (!((mode_ & 255) === mode_ && (mode_ === 65 || mode_ === 67 || (mode_ >= 71 && mode_ <= 75) || mode_ === 79))) throw refusedMember("mode", mode_, "point_mode", false);
+  if (!(mode_ === (mode_ & 255) && (mode_ === 65 || mode_ === 67 || (mode_ >= 71 && mode_ <= 75) || mode_ === 79))) throw refusedMember("mode", mode_, "point_mode", false);
   b[o + 1] = mode_;
   const distance_ = value.distance;
-  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
+  if (!(distance_ === (distance_ | 0) && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
   b[o + 2] = distance_;
   b[o + 3] = distance_ >>> 8;
   b[o + 4] = distance_ >>> 16;
   b[o + 5] = distance_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 6] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
+  if (!(force_ === (force_ & 255) && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 7] = force_;
   const zoneLimit1_ = value.zoneLimit1;
-  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
+  if (!(zoneLimit1_ === (zoneLimit1_ | 0) && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
   b[o + 8] = zoneLimit1_;
   b[o + 9] = zoneLimit1_ >>> 8;
   b[o + 10] = zoneLimit1_ >>> 16;
   b[o + 11] = zoneLimit1_ >>> 24;
   const zoneLimit2_ = value.zoneLimit2;
-  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
+  if (!(zoneLimit2_ === (zoneLimit2_ | 0) && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
   b[o + 12] = zoneLimit2_;
   b[o + 13] = zoneLimit2_ >>> 8;
   b[o + 14] = zoneLimit2_ >>> 16;
   b[o + 15] = zoneLimit2_ >>> 24;
-}
-function checkPoint(b, o, end) {
-  checkSize("point", 16, 16, o, end);
-  return readPoint(b, o, end);
-}
+};
 export const Point = /* @__PURE__ */ record({
   name: "point",
   least: 16,
   most: 16,
-  read: checkPoint,
+  read: readPoint,
   write: writePoint,
   size: null,
   keys: { __proto__: null, number: 0, mode: 0, distance: 0, speed: 0, force: 0, zoneLimit1: 0, zoneLimit2: 0 },
@@ -247,8 +241,9 @@ export const Point = /* @__PURE__ */ record({
   absent: { number: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 31]] }), distance: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), force: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), zoneLimit1: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), zoneLimit2: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }) },
 });
 
-function readTemporaryPoint(b, o) {
+const readTemporaryPoint = (b, o, end) => {
   o &= 0x7fffffff;
+  if (end - o !== 16) throw wrongSize("temporary_point", 16, 16, end - o, o);
   const number_ = b[o];
   if (number_ !== 0) throw wrongNumber("wrong_const", "number", number_, "not 0", o);
   const mode_ = b[o + 1];
@@ -261,46 +256,42 @@ function readTemporaryPoint(b, o) {
     zoneLimit1: ((b[o + 11] << 24) | (b[o + 10] << 16) | (b[o + 9] << 8) | b[o + 8]),
     zoneLimit2: ((b[o + 15] << 24) | (b[o + 14] << 16) | (b[o + 13] << 8) | b[o + 12]),
   };
-}
-function writeTemporaryPoint(value, b, o) {
+};
+const writeTemporaryPoint = (value, b, o) => {
   o &= 0x7fffffff;
   const mode_ = value.mode;
-  if (!((mode_ & 255) === mode_ && (mode_ === 65 || mode_ === 67 || (mode_ >= 71 && mode_ <= 75) || mode_ === 79))) throw refusedMember("mode", mode_, "point_mode", false);
+  if (!(mode_ === (mode_ & 255) && (mode_ === 65 || mode_ === 67 || (mode_ >= 71 && mode_ <= 75) || mode_ === 79))) throw refusedMember("mode", mode_, "point_mode", false);
   b[o + 1] = mode_;
   const distance_ = value.distance;
-  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
+  if (!(distance_ === (distance_ | 0) && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
   b[o + 2] = distance_;
   b[o + 3] = distance_ >>> 8;
   b[o + 4] = distance_ >>> 16;
   b[o + 5] = distance_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 6] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
+  if (!(force_ === (force_ & 255) && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 7] = force_;
   const zoneLimit1_ = value.zoneLimit1;
-  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
+  if (!(zoneLimit1_ === (zoneLimit1_ | 0) && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
   b[o + 8] = zoneLimit1_;
   b[o + 9] = zoneLimit1_ >>> 8;
   b[o + 10] = zoneLimit1_ >>> 16;
   b[o + 11] = zoneLimit1_ >>> 24;
   const zoneLimit2_ = value.zoneLimit2;
-  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
+  if (!(zoneLimit2_ === (zoneLimit2_ | 0) && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
   b[o + 12] = zoneLimit2_;
   b[o + 13] = zoneLimit2_ >>> 8;
   b[o + 14] = zoneLimit2_ >>> 16;
   b[o + 15] = zoneLimit2_ >>> 24;
-}
-function checkTemporaryPoint(b, o, end) {
-  checkSize("temporary_point", 16, 16, o, end);
-  return readTemporaryPoint(b, o, end);
-}
+};
 export const TemporaryPoint = /* @__PURE__ */ record({
   name: "temporary_point",
   least: 16,
   most: 16,
-  read: checkTemporaryPoint,
+  read: readTemporaryPoint,
   write: writeTemporaryPoint,
   size: null,
   keys: { __proto__: null, mode: 0, distance: 0, speed: 0, force: 0, zoneLimit1: 0, zoneLimit2: 0 },
@@ -308,25 +299,22 @@ export const TemporaryPoint = /* @__PURE__ */ record({
   absent: { distance: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), force: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), zoneLimit1: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), zoneLimit2: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }) },
 });
 
-function readReadPointsRequest(b, o) {
+const readReadPointsRequest = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("read_points_request", 1, 1, end - o, o);
   return {
     firstPoint: b[o],
   };
-}
-function writeReadPointsRequest(value, b, o) {
+};
+const writeReadPointsRequest = (value, b, o) => {
   const firstPoint_ = value.firstPoint;
-  if (!((firstPoint_ & 255) === firstPoint_ && firstPoint_ >= 1 && firstPoint_ <= 31)) throw refusedNumber("first_point", firstPoint_, "1..31");
+  if (!(firstPoint_ === (firstPoint_ & 255) && firstPoint_ >= 1 && firstPoint_ <= 31)) throw refusedNumber("first_point", firstPoint_, "1..31");
   b[o] = firstPoint_;
-}
-function checkReadPointsRequest(b, o, end) {
-  checkSize("read_points_request", 1, 1, o, end);
-  return readReadPointsRequest(b, o, end);
-}
+};
 export const ReadPointsRequest = /* @__PURE__ */ record({
   name: "read_points_request",
   least: 1,
   most: 1,
-  read: checkReadPointsRequest,
+  read: readReadPointsRequest,
   write: writeReadPointsRequest,
   size: null,
   keys: { __proto__: null, firstPoint: 0 },
@@ -334,36 +322,33 @@ export const ReadPointsRequest = /* @__PURE__ */ record({
   absent: { firstPoint: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 31]] }) },
 });
 
-function readReadPointsResponse(b, o, end) {
+const readReadPointsResponse = (b, o, end) => {
+  if (end - o < 16 || end - o > 240) throw wrongSize("read_points_response", 16, 240, end - o, o);
+  if ((end - o - 0) % 16) throw brokenList("points", end - o - 0, end);
   const points_ = [];
   for (let at = o, left = Math.floor((end - (o)) / 16); left > 0; left--, at += 16) {
-    points_.push(readPoint(b, at));
+    points_.push(readPoint(b, at, at + 16));
   }
   return {
     points: points_,
   };
-}
-function writeReadPointsResponse(value, b, o) {
+};
+const writeReadPointsResponse = (value, b, o) => {
   checkList("points", value.points, 1, 15);
   for (let at = o, index = 0; index < value.points.length; index++, at += 16) {
     const item = value.points[index];
     Point.check(item);
     writePoint(item, b, at);
   }
-}
-function sizeReadPointsResponse(value) {
+};
+const sizeReadPointsResponse = (value) => {
   return 0 + listLength(value, "points", 15) * 16;
-}
-function checkReadPointsResponse(b, o, end) {
-  checkSize("read_points_response", 16, 240, o, end);
-  if ((end - o - 0) % 16) throw brokenList("points", end - o - 0, end);
-  return readReadPointsResponse(b, o, end);
-}
+};
 export const ReadPointsResponse = /* @__PURE__ */ record({
   name: "read_points_response",
   least: 16,
   most: 240,
-  read: checkReadPointsResponse,
+  read: readReadPointsResponse,
   write: writeReadPointsResponse,
   size: sizeReadPointsResponse,
   keys: { __proto__: null, points: 0 },
@@ -372,26 +357,25 @@ export const ReadPointsResponse = /* @__PURE__ */ record({
 
 export const ReadPoints = /* @__PURE__ */ message("read_points", 0x50, ReadPointsRequest, ReadPointsResponse);
 
-function readReadParametersRequest() {
+const readReadParametersRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("read_parameters_request", 0, 0, end - o, o);
   return {};
-}
-function writeReadParametersRequest() {}
-function checkReadParametersRequest(b, o, end) {
-  checkSize("read_parameters_request", 0, 0, o, end);
-  return readReadParametersRequest(b, o, end);
-}
+};
+const writeReadParametersRequest = (value, b, o) => {
+};
 export const ReadParametersRequest = /* @__PURE__ */ record({
   name: "read_parameters_request",
   least: 0,
   most: 0,
-  read: checkReadParametersRequest,
+  read: readReadParametersRequest,
   write: writeReadParametersRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readReadParametersResponse(b, o) {
+const readReadParametersResponse = (b, o, end) => {
+  if (end - o !== 64) throw wrongSize("read_parameters_response", 64, 64, end - o, o);
   const parameters_ = [];
   for (let at = o, left = 32; left > 0; left--, at += 2) {
     parameters_.push(((b[at + 1] << 8) | b[at]));
@@ -399,25 +383,21 @@ function readReadParametersResponse(b, o) {
   return {
     parameters: parameters_,
   };
-}
-function writeReadParametersResponse(value, b, o) {
+};
+const writeReadParametersResponse = (value, b, o) => {
   checkList("parameters", value.parameters, 32, 32);
   for (let at = o, index = 0; index < value.parameters.length; index++, at += 2) {
     const item = value.parameters[index];
-    if (!((item & 65535) === item)) throw refusedNumber("parameters", item, "0..65535");
+    if (!(item === (item & 65535))) throw refusedNumber("parameters", item, "0..65535");
     b[at] = item;
     b[at + 1] = item >>> 8;
   }
-}
-function checkReadParametersResponse(b, o, end) {
-  checkSize("read_parameters_response", 64, 64, o, end);
-  return readReadParametersResponse(b, o, end);
-}
+};
 export const ReadParametersResponse = /* @__PURE__ */ record({
   name: "read_parameters_response",
   least: 64,
   most: 64,
-  read: checkReadParametersResponse,
+  read: readReadParametersResponse,
   write: writeReadParametersResponse,
   size: null,
   keys: { __proto__: null, parameters: 0 },
@@ -426,52 +406,47 @@ export const ReadParametersResponse = /* @__PURE__ */ record({
 
 export const ReadParameters = /* @__PURE__ */ message("read_parameters", 0x51, ReadParametersRequest, ReadParametersResponse);
 
-function readReadIoStatusRequest() {
+const readReadIoStatusRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("read_io_status_request", 0, 0, end - o, o);
   return {};
-}
-function writeReadIoStatusRequest() {}
-function checkReadIoStatusRequest(b, o, end) {
-  checkSize("read_io_status_request", 0, 0, o, end);
-  return readReadIoStatusRequest(b, o, end);
-}
+};
+const writeReadIoStatusRequest = (value, b, o) => {
+};
 export const ReadIoStatusRequest = /* @__PURE__ */ record({
   name: "read_io_status_request",
   least: 0,
   most: 0,
-  read: checkReadIoStatusRequest,
+  read: readReadIoStatusRequest,
   write: writeReadIoStatusRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readReadIoStatusResponse(b, o) {
+const readReadIoStatusResponse = (b, o, end) => {
+  if (end - o !== 3) throw wrongSize("read_io_status_response", 3, 3, end - o, o);
   return {
     inputs: b[o],
     outputs: b[o + 1],
     stateOutputs: b[o + 2],
   };
-}
-function writeReadIoStatusResponse(value, b, o) {
+};
+const writeReadIoStatusResponse = (value, b, o) => {
   const inputs_ = value.inputs;
-  if (!((inputs_ & 255) === inputs_)) throw refusedNumber("inputs", inputs_, "0..255");
+  if (!(inputs_ === (inputs_ & 255))) throw refusedNumber("inputs", inputs_, "0..255");
   b[o] = inputs_;
   const outputs_ = value.outputs;
-  if (!((outputs_ & 255) === outputs_)) throw refusedNumber("outputs", outputs_, "0..255");
+  if (!(outputs_ === (outputs_ & 255))) throw refusedNumber("outputs", outputs_, "0..255");
   b[o + 1] = outputs_;
   const stateOutputs_ = value.stateOutputs;
-  if (!((stateOutputs_ & 255) === stateOutputs_)) throw refusedNumber("state_outputs", stateOutputs_, "0..255");
+  if (!(stateOutputs_ === (stateOutputs_ & 255))) throw refusedNumber("state_outputs", stateOutputs_, "0..255");
   b[o + 2] = stateOutputs_;
-}
-function checkReadIoStatusResponse(b, o, end) {
-  checkSize("read_io_status_response", 3, 3, o, end);
-  return readReadIoStatusResponse(b, o, end);
-}
+};
 export const ReadIoStatusResponse = /* @__PURE__ */ record({
   name: "read_io_status_response",
   least: 3,
   most: 3,
-  read: checkReadIoStatusResponse,
+  read: readReadIoStatusResponse,
   write: writeReadIoStatusResponse,
   size: null,
   keys: { __proto__: null, inputs: 0, outputs: 0, stateOutputs: 0 },
@@ -480,55 +455,50 @@ export const ReadIoStatusResponse = /* @__PURE__ */ record({
 
 export const ReadIoStatus = /* @__PURE__ */ message("read_io_status", 0x52, ReadIoStatusRequest, ReadIoStatusResponse);
 
-function readReadAlarmHistoryRequest() {
+const readReadAlarmHistoryRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("read_alarm_history_request", 0, 0, end - o, o);
   return {};
-}
-function writeReadAlarmHistoryRequest() {}
-function checkReadAlarmHistoryRequest(b, o, end) {
-  checkSize("read_alarm_history_request", 0, 0, o, end);
-  return readReadAlarmHistoryRequest(b, o, end);
-}
+};
+const writeReadAlarmHistoryRequest = (value, b, o) => {
+};
 export const ReadAlarmHistoryRequest = /* @__PURE__ */ record({
   name: "read_alarm_history_request",
   least: 0,
   most: 0,
-  read: checkReadAlarmHistoryRequest,
+  read: readReadAlarmHistoryRequest,
   write: writeReadAlarmHistoryRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readReadAlarmHistoryResponse(b, o, end) {
+const readReadAlarmHistoryResponse = (b, o, end) => {
+  if (end - o > 64) throw wrongSize("read_alarm_history_response", 0, 64, end - o, o);
+  if ((end - o - 0) % 4) throw brokenList("entries", end - o - 0, end);
   const entries_ = [];
   for (let at = o, left = Math.floor((end - (o)) / 4); left > 0; left--, at += 4) {
-    entries_.push(readAlarmHistoryEntry(b, at));
+    entries_.push(readAlarmHistoryEntry(b, at, at + 4));
   }
   return {
     entries: entries_,
   };
-}
-function writeReadAlarmHistoryResponse(value, b, o) {
+};
+const writeReadAlarmHistoryResponse = (value, b, o) => {
   checkList("entries", value.entries, 0, 16);
   for (let at = o, index = 0; index < value.entries.length; index++, at += 4) {
     const item = value.entries[index];
     AlarmHistoryEntry.check(item);
     writeAlarmHistoryEntry(item, b, at);
   }
-}
-function sizeReadAlarmHistoryResponse(value) {
+};
+const sizeReadAlarmHistoryResponse = (value) => {
   return 0 + listLength(value, "entries", 16) * 4;
-}
-function checkReadAlarmHistoryResponse(b, o, end) {
-  checkSize("read_alarm_history_response", 0, 64, o, end);
-  if ((end - o - 0) % 4) throw brokenList("entries", end - o - 0, end);
-  return readReadAlarmHistoryResponse(b, o, end);
-}
+};
 export const ReadAlarmHistoryResponse = /* @__PURE__ */ record({
   name: "read_alarm_history_response",
   least: 0,
   most: 64,
-  read: checkReadAlarmHistoryResponse,
+  read: readReadAlarmHistoryResponse,
   write: writeReadAlarmHistoryResponse,
   size: sizeReadAlarmHistoryResponse,
   keys: { __proto__: null, entries: 0 },
@@ -537,55 +507,50 @@ export const ReadAlarmHistoryResponse = /* @__PURE__ */ record({
 
 export const ReadAlarmHistory = /* @__PURE__ */ message("read_alarm_history", 0x53, ReadAlarmHistoryRequest, ReadAlarmHistoryResponse);
 
-function readWritePointsRequest(b, o, end) {
+const readWritePointsRequest = (b, o, end) => {
+  if (end - o < 16 || end - o > 240) throw wrongSize("write_points_request", 16, 240, end - o, o);
+  if ((end - o - 0) % 16) throw brokenList("points", end - o - 0, end);
   const points_ = [];
   for (let at = o, left = Math.floor((end - (o)) / 16); left > 0; left--, at += 16) {
-    points_.push(readPoint(b, at));
+    points_.push(readPoint(b, at, at + 16));
   }
   return {
     points: points_,
   };
-}
-function writeWritePointsRequest(value, b, o) {
+};
+const writeWritePointsRequest = (value, b, o) => {
   checkList("points", value.points, 1, 15);
   for (let at = o, index = 0; index < value.points.length; index++, at += 16) {
     const item = value.points[index];
     Point.check(item);
     writePoint(item, b, at);
   }
-}
-function sizeWritePointsRequest(value) {
+};
+const sizeWritePointsRequest = (value) => {
   return 0 + listLength(value, "points", 15) * 16;
-}
-function checkWritePointsRequest(b, o, end) {
-  checkSize("write_points_request", 16, 240, o, end);
-  if ((end - o - 0) % 16) throw brokenList("points", end - o - 0, end);
-  return readWritePointsRequest(b, o, end);
-}
+};
 export const WritePointsRequest = /* @__PURE__ */ record({
   name: "write_points_request",
   least: 16,
   most: 240,
-  read: checkWritePointsRequest,
+  read: readWritePointsRequest,
   write: writeWritePointsRequest,
   size: sizeWritePointsRequest,
   keys: { __proto__: null, points: 0 },
   units: {},
 });
 
-function readWritePointsResponse() {
+const readWritePointsResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("write_points_response", 0, 0, end - o, o);
   return {};
-}
-function writeWritePointsResponse() {}
-function checkWritePointsResponse(b, o, end) {
-  checkSize("write_points_response", 0, 0, o, end);
-  return readWritePointsResponse(b, o, end);
-}
+};
+const writeWritePointsResponse = (value, b, o) => {
+};
 export const WritePointsResponse = /* @__PURE__ */ record({
   name: "write_points_response",
   least: 0,
   most: 0,
-  read: checkWritePointsResponse,
+  read: readWritePointsResponse,
   write: writeWritePointsResponse,
   size: null,
   keys: { __proto__: null },
@@ -594,7 +559,8 @@ export const WritePointsResponse = /* @__PURE__ */ record({
 
 export const WritePoints = /* @__PURE__ */ message("write_points", 0x60, WritePointsRequest, WritePointsResponse);
 
-function readWriteParametersRequest(b, o) {
+const readWriteParametersRequest = (b, o, end) => {
+  if (end - o !== 64) throw wrongSize("write_parameters_request", 64, 64, end - o, o);
   const parameters_ = [];
   for (let at = o, left = 32; left > 0; left--, at += 2) {
     parameters_.push(((b[at + 1] << 8) | b[at]));
@@ -602,44 +568,38 @@ function readWriteParametersRequest(b, o) {
   return {
     parameters: parameters_,
   };
-}
-function writeWriteParametersRequest(value, b, o) {
+};
+const writeWriteParametersRequest = (value, b, o) => {
   checkList("parameters", value.parameters, 32, 32);
   for (let at = o, index = 0; index < value.parameters.length; index++, at += 2) {
     const item = value.parameters[index];
-    if (!((item & 65535) === item)) throw refusedNumber("parameters", item, "0..65535");
+    if (!(item === (item & 65535))) throw refusedNumber("parameters", item, "0..65535");
     b[at] = item;
     b[at + 1] = item >>> 8;
   }
-}
-function checkWriteParametersRequest(b, o, end) {
-  checkSize("write_parameters_request", 64, 64, o, end);
-  return readWriteParametersRequest(b, o, end);
-}
+};
 export const WriteParametersRequest = /* @__PURE__ */ record({
   name: "write_parameters_request",
   least: 64,
   most: 64,
-  read: checkWriteParametersRequest,
+  read: readWriteParametersRequest,
   write: writeWriteParametersRequest,
   size: null,
   keys: { __proto__: null, parameters: 0 },
   units: {},
 });
 
-function readWriteParametersResponse() {
+const readWriteParametersResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("write_parameters_response", 0, 0, end - o, o);
   return {};
-}
-function writeWriteParametersResponse() {}
-function checkWriteParametersResponse(b, o, end) {
-  checkSize("write_parameters_response", 0, 0, o, end);
-  return readWriteParametersResponse(b, o, end);
-}
+};
+const writeWriteParametersResponse = (value, b, o) => {
+};
 export const WriteParametersResponse = /* @__PURE__ */ record({
   name: "write_parameters_response",
   least: 0,
   most: 0,
-  read: checkWriteParametersResponse,
+  read: readWriteParametersResponse,
   write: writeWriteParametersResponse,
   size: null,
   keys: { __proto__: null },
@@ -648,30 +608,27 @@ export const WriteParametersResponse = /* @__PURE__ */ record({
 
 export const WriteParameters = /* @__PURE__ */ message("write_parameters", 0x61, WriteParametersRequest, WriteParametersResponse);
 
-function readWriteParameterRequest(b, o) {
+const readWriteParameterRequest = (b, o, end) => {
+  if (end - o !== 3) throw wrongSize("write_parameter_request", 3, 3, end - o, o);
   return {
     parameterNumber: b[o],
     value: ((b[o + 2] << 8) | b[o + 1]),
   };
-}
-function writeWriteParameterRequest(value, b, o) {
+};
+const writeWriteParameterRequest = (value, b, o) => {
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 255) === parameterNumber_ && parameterNumber_ <= 31)) throw refusedNumber("parameter_number", parameterNumber_, "0..31");
+  if (!(parameterNumber_ === (parameterNumber_ & 255) && parameterNumber_ <= 31)) throw refusedNumber("parameter_number", parameterNumber_, "0..31");
   b[o] = parameterNumber_;
   const value_ = value.value;
-  if (!((value_ & 65535) === value_)) throw refusedNumber("value", value_, "0..65535");
+  if (!(value_ === (value_ & 65535))) throw refusedNumber("value", value_, "0..65535");
   b[o + 1] = value_;
   b[o + 2] = value_ >>> 8;
-}
-function checkWriteParameterRequest(b, o, end) {
-  checkSize("write_parameter_request", 3, 3, o, end);
-  return readWriteParameterRequest(b, o, end);
-}
+};
 export const WriteParameterRequest = /* @__PURE__ */ record({
   name: "write_parameter_request",
   least: 3,
   most: 3,
-  read: checkWriteParameterRequest,
+  read: readWriteParameterRequest,
   write: writeWriteParameterRequest,
   size: null,
   keys: { __proto__: null, parameterNumber: 0, value: 0 },
@@ -679,19 +636,17 @@ export const WriteParameterRequest = /* @__PURE__ */ record({
   absent: { parameterNumber: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 31]] }) },
 });
 
-function readWriteParameterResponse() {
+const readWriteParameterResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("write_parameter_response", 0, 0, end - o, o);
   return {};
-}
-function writeWriteParameterResponse() {}
-function checkWriteParameterResponse(b, o, end) {
-  checkSize("write_parameter_response", 0, 0, o, end);
-  return readWriteParameterResponse(b, o, end);
-}
+};
+const writeWriteParameterResponse = (value, b, o) => {
+};
 export const WriteParameterResponse = /* @__PURE__ */ record({
   name: "write_parameter_response",
   least: 0,
   most: 0,
-  read: checkWriteParameterResponse,
+  read: readWriteParameterResponse,
   write: writeWriteParameterResponse,
   size: null,
   keys: { __proto__: null },
@@ -700,44 +655,39 @@ export const WriteParameterResponse = /* @__PURE__ */ record({
 
 export const WriteParameter = /* @__PURE__ */ message("write_parameter", 0x62, WriteParameterRequest, WriteParameterResponse);
 
-function readWriteTemporaryPointRequest(b, o) {
-  const point_ = readTemporaryPoint(b, o);
+const readWriteTemporaryPointRequest = (b, o, end) => {
+  if (end - o !== 16) throw wrongSize("write_temporary_point_request", 16, 16, end - o, o);
+  const point_ = readTemporaryPoint(b, o, o + 16);
   return {
     point: point_,
   };
-}
-function writeWriteTemporaryPointRequest(value, b, o) {
+};
+const writeWriteTemporaryPointRequest = (value, b, o) => {
   TemporaryPoint.check(value.point);
   writeTemporaryPoint(value.point, b, o);
-}
-function checkWriteTemporaryPointRequest(b, o, end) {
-  checkSize("write_temporary_point_request", 16, 16, o, end);
-  return readWriteTemporaryPointRequest(b, o, end);
-}
+};
 export const WriteTemporaryPointRequest = /* @__PURE__ */ record({
   name: "write_temporary_point_request",
   least: 16,
   most: 16,
-  read: checkWriteTemporaryPointRequest,
+  read: readWriteTemporaryPointRequest,
   write: writeWriteTemporaryPointRequest,
   size: null,
   keys: { __proto__: null, point: 0 },
   units: {},
 });
 
-function readWriteTemporaryPointResponse() {
+const readWriteTemporaryPointResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("write_temporary_point_response", 0, 0, end - o, o);
   return {};
-}
-function writeWriteTemporaryPointResponse() {}
-function checkWriteTemporaryPointResponse(b, o, end) {
-  checkSize("write_temporary_point_response", 0, 0, o, end);
-  return readWriteTemporaryPointResponse(b, o, end);
-}
+};
+const writeWriteTemporaryPointResponse = (value, b, o) => {
+};
 export const WriteTemporaryPointResponse = /* @__PURE__ */ record({
   name: "write_temporary_point_response",
   least: 0,
   most: 0,
-  read: checkWriteTemporaryPointResponse,
+  read: readWriteTemporaryPointResponse,
   write: writeWriteTemporaryPointResponse,
   size: null,
   keys: { __proto__: null },
@@ -746,29 +696,26 @@ export const WriteTemporaryPointResponse = /* @__PURE__ */ record({
 
 export const WriteTemporaryPoint = /* @__PURE__ */ message("write_temporary_point", 0x63, WriteTemporaryPointRequest, WriteTemporaryPointResponse);
 
-function readClearPointsRequest(b, o) {
+const readClearPointsRequest = (b, o, end) => {
+  if (end - o !== 2) throw wrongSize("clear_points_request", 2, 2, end - o, o);
   return {
     firstPoint: b[o],
     pointCount: b[o + 1],
   };
-}
-function writeClearPointsRequest(value, b, o) {
+};
+const writeClearPointsRequest = (value, b, o) => {
   const firstPoint_ = value.firstPoint;
-  if (!((firstPoint_ & 255) === firstPoint_ && firstPoint_ >= 1 && firstPoint_ <= 31)) throw refusedNumber("first_point", firstPoint_, "1..31");
+  if (!(firstPoint_ === (firstPoint_ & 255) && firstPoint_ >= 1 && firstPoint_ <= 31)) throw refusedNumber("first_point", firstPoint_, "1..31");
   b[o] = firstPoint_;
   const pointCount_ = value.pointCount;
-  if (!((pointCount_ & 255) === pointCount_ && pointCount_ >= 1 && pointCount_ <= 31)) throw refusedNumber("point_count", pointCount_, "1..31");
+  if (!(pointCount_ === (pointCount_ & 255) && pointCount_ >= 1 && pointCount_ <= 31)) throw refusedNumber("point_count", pointCount_, "1..31");
   b[o + 1] = pointCount_;
-}
-function checkClearPointsRequest(b, o, end) {
-  checkSize("clear_points_request", 2, 2, o, end);
-  return readClearPointsRequest(b, o, end);
-}
+};
 export const ClearPointsRequest = /* @__PURE__ */ record({
   name: "clear_points_request",
   least: 2,
   most: 2,
-  read: checkClearPointsRequest,
+  read: readClearPointsRequest,
   write: writeClearPointsRequest,
   size: null,
   keys: { __proto__: null, firstPoint: 0, pointCount: 0 },
@@ -776,19 +723,17 @@ export const ClearPointsRequest = /* @__PURE__ */ record({
   absent: { firstPoint: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 31]] }), pointCount: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 31]] }) },
 });
 
-function readClearPointsResponse() {
+const readClearPointsResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("clear_points_response", 0, 0, end - o, o);
   return {};
-}
-function writeClearPointsResponse() {}
-function checkClearPointsResponse(b, o, end) {
-  checkSize("clear_points_response", 0, 0, o, end);
-  return readClearPointsResponse(b, o, end);
-}
+};
+const writeClearPointsResponse = (value, b, o) => {
+};
 export const ClearPointsResponse = /* @__PURE__ */ record({
   name: "clear_points_response",
   least: 0,
   most: 0,
-  read: checkClearPointsResponse,
+  read: readClearPointsResponse,
   write: writeClearPointsResponse,
   size: null,
   keys: { __proto__: null },
@@ -797,38 +742,34 @@ export const ClearPointsResponse = /* @__PURE__ */ record({
 
 export const ClearPoints = /* @__PURE__ */ message("clear_points", 0x70, ClearPointsRequest, ClearPointsResponse);
 
-function readInitializePointsRequest() {
+const readInitializePointsRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("initialize_points_request", 0, 0, end - o, o);
   return {};
-}
-function writeInitializePointsRequest() {}
-function checkInitializePointsRequest(b, o, end) {
-  checkSize("initialize_points_request", 0, 0, o, end);
-  return readInitializePointsRequest(b, o, end);
-}
+};
+const writeInitializePointsRequest = (value, b, o) => {
+};
 export const InitializePointsRequest = /* @__PURE__ */ record({
   name: "initialize_points_request",
   least: 0,
   most: 0,
-  read: checkInitializePointsRequest,
+  read: readInitializePointsRequest,
   write: writeInitializePointsRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readInitializePointsResponse() {
+const readInitializePointsResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("initialize_points_response", 0, 0, end - o, o);
   return {};
-}
-function writeInitializePointsResponse() {}
-function checkInitializePointsResponse(b, o, end) {
-  checkSize("initialize_points_response", 0, 0, o, end);
-  return readInitializePointsResponse(b, o, end);
-}
+};
+const writeInitializePointsResponse = (value, b, o) => {
+};
 export const InitializePointsResponse = /* @__PURE__ */ record({
   name: "initialize_points_response",
   least: 0,
   most: 0,
-  read: checkInitializePointsResponse,
+  read: readInitializePointsResponse,
   write: writeInitializePointsResponse,
   size: null,
   keys: { __proto__: null },
@@ -837,45 +778,40 @@ export const InitializePointsResponse = /* @__PURE__ */ record({
 
 export const InitializePoints = /* @__PURE__ */ message("initialize_points", 0x71, InitializePointsRequest, InitializePointsResponse);
 
-function readInitializeParametersRequest(b, o) {
+const readInitializeParametersRequest = (b, o, end) => {
+  if (end - o !== 2) throw wrongSize("initialize_parameters_request", 2, 2, end - o, o);
   return {
     actuatorType: ((b[o + 1] << 8) | b[o]),
   };
-}
-function writeInitializeParametersRequest(value, b, o) {
+};
+const writeInitializeParametersRequest = (value, b, o) => {
   const actuatorType_ = value.actuatorType;
-  if (!((actuatorType_ & 65535) === actuatorType_)) throw refusedNumber("actuator_type", actuatorType_, "0..65535");
+  if (!(actuatorType_ === (actuatorType_ & 65535))) throw refusedNumber("actuator_type", actuatorType_, "0..65535");
   b[o] = actuatorType_;
   b[o + 1] = actuatorType_ >>> 8;
-}
-function checkInitializeParametersRequest(b, o, end) {
-  checkSize("initialize_parameters_request", 2, 2, o, end);
-  return readInitializeParametersRequest(b, o, end);
-}
+};
 export const InitializeParametersRequest = /* @__PURE__ */ record({
   name: "initialize_parameters_request",
   least: 2,
   most: 2,
-  read: checkInitializeParametersRequest,
+  read: readInitializeParametersRequest,
   write: writeInitializeParametersRequest,
   size: null,
   keys: { __proto__: null, actuatorType: 0 },
   units: {},
 });
 
-function readInitializeParametersResponse() {
+const readInitializeParametersResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("initialize_parameters_response", 0, 0, end - o, o);
   return {};
-}
-function writeInitializeParametersResponse() {}
-function checkInitializeParametersResponse(b, o, end) {
-  checkSize("initialize_parameters_response", 0, 0, o, end);
-  return readInitializeParametersResponse(b, o, end);
-}
+};
+const writeInitializeParametersResponse = (value, b, o) => {
+};
 export const InitializeParametersResponse = /* @__PURE__ */ record({
   name: "initialize_parameters_response",
   least: 0,
   most: 0,
-  read: checkInitializeParametersResponse,
+  read: readInitializeParametersResponse,
   write: writeInitializeParametersResponse,
   size: null,
   keys: { __proto__: null },
@@ -884,38 +820,34 @@ export const InitializeParametersResponse = /* @__PURE__ */ record({
 
 export const InitializeParameters = /* @__PURE__ */ message("initialize_parameters", 0x72, InitializeParametersRequest, InitializeParametersResponse);
 
-function readClearAlarmHistoryRequest() {
+const readClearAlarmHistoryRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("clear_alarm_history_request", 0, 0, end - o, o);
   return {};
-}
-function writeClearAlarmHistoryRequest() {}
-function checkClearAlarmHistoryRequest(b, o, end) {
-  checkSize("clear_alarm_history_request", 0, 0, o, end);
-  return readClearAlarmHistoryRequest(b, o, end);
-}
+};
+const writeClearAlarmHistoryRequest = (value, b, o) => {
+};
 export const ClearAlarmHistoryRequest = /* @__PURE__ */ record({
   name: "clear_alarm_history_request",
   least: 0,
   most: 0,
-  read: checkClearAlarmHistoryRequest,
+  read: readClearAlarmHistoryRequest,
   write: writeClearAlarmHistoryRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readClearAlarmHistoryResponse() {
+const readClearAlarmHistoryResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("clear_alarm_history_response", 0, 0, end - o, o);
   return {};
-}
-function writeClearAlarmHistoryResponse() {}
-function checkClearAlarmHistoryResponse(b, o, end) {
-  checkSize("clear_alarm_history_response", 0, 0, o, end);
-  return readClearAlarmHistoryResponse(b, o, end);
-}
+};
+const writeClearAlarmHistoryResponse = (value, b, o) => {
+};
 export const ClearAlarmHistoryResponse = /* @__PURE__ */ record({
   name: "clear_alarm_history_response",
   least: 0,
   most: 0,
-  read: checkClearAlarmHistoryResponse,
+  read: readClearAlarmHistoryResponse,
   write: writeClearAlarmHistoryResponse,
   size: null,
   keys: { __proto__: null },
@@ -924,38 +856,34 @@ export const ClearAlarmHistoryResponse = /* @__PURE__ */ record({
 
 export const ClearAlarmHistory = /* @__PURE__ */ message("clear_alarm_history", 0x73, ClearAlarmHistoryRequest, ClearAlarmHistoryResponse);
 
-function readClearAccumulatedTimeRequest() {
+const readClearAccumulatedTimeRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("clear_accumulated_time_request", 0, 0, end - o, o);
   return {};
-}
-function writeClearAccumulatedTimeRequest() {}
-function checkClearAccumulatedTimeRequest(b, o, end) {
-  checkSize("clear_accumulated_time_request", 0, 0, o, end);
-  return readClearAccumulatedTimeRequest(b, o, end);
-}
+};
+const writeClearAccumulatedTimeRequest = (value, b, o) => {
+};
 export const ClearAccumulatedTimeRequest = /* @__PURE__ */ record({
   name: "clear_accumulated_time_request",
   least: 0,
   most: 0,
-  read: checkClearAccumulatedTimeRequest,
+  read: readClearAccumulatedTimeRequest,
   write: writeClearAccumulatedTimeRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readClearAccumulatedTimeResponse() {
+const readClearAccumulatedTimeResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("clear_accumulated_time_response", 0, 0, end - o, o);
   return {};
-}
-function writeClearAccumulatedTimeResponse() {}
-function checkClearAccumulatedTimeResponse(b, o, end) {
-  checkSize("clear_accumulated_time_response", 0, 0, o, end);
-  return readClearAccumulatedTimeResponse(b, o, end);
-}
+};
+const writeClearAccumulatedTimeResponse = (value, b, o) => {
+};
 export const ClearAccumulatedTimeResponse = /* @__PURE__ */ record({
   name: "clear_accumulated_time_response",
   least: 0,
   most: 0,
-  read: checkClearAccumulatedTimeResponse,
+  read: readClearAccumulatedTimeResponse,
   write: writeClearAccumulatedTimeResponse,
   size: null,
   keys: { __proto__: null },
@@ -964,38 +892,34 @@ export const ClearAccumulatedTimeResponse = /* @__PURE__ */ record({
 
 export const ClearAccumulatedTime = /* @__PURE__ */ message("clear_accumulated_time", 0x74, ClearAccumulatedTimeRequest, ClearAccumulatedTimeResponse);
 
-function readStopRequest() {
+const readStopRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("stop_request", 0, 0, end - o, o);
   return {};
-}
-function writeStopRequest() {}
-function checkStopRequest(b, o, end) {
-  checkSize("stop_request", 0, 0, o, end);
-  return readStopRequest(b, o, end);
-}
+};
+const writeStopRequest = (value, b, o) => {
+};
 export const StopRequest = /* @__PURE__ */ record({
   name: "stop_request",
   least: 0,
   most: 0,
-  read: checkStopRequest,
+  read: readStopRequest,
   write: writeStopRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readStopResponse() {
+const readStopResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("stop_response", 0, 0, end - o, o);
   return {};
-}
-function writeStopResponse() {}
-function checkStopResponse(b, o, end) {
-  checkSize("stop_response", 0, 0, o, end);
-  return readStopResponse(b, o, end);
-}
+};
+const writeStopResponse = (value, b, o) => {
+};
 export const StopResponse = /* @__PURE__ */ record({
   name: "stop_response",
   least: 0,
   most: 0,
-  read: checkStopResponse,
+  read: readStopResponse,
   write: writeStopResponse,
   size: null,
   keys: { __proto__: null },
@@ -1004,38 +928,34 @@ export const StopResponse = /* @__PURE__ */ record({
 
 export const Stop = /* @__PURE__ */ message("stop", 0x10, StopRequest, StopResponse);
 
-function readStartHomingRequest() {
+const readStartHomingRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("start_homing_request", 0, 0, end - o, o);
   return {};
-}
-function writeStartHomingRequest() {}
-function checkStartHomingRequest(b, o, end) {
-  checkSize("start_homing_request", 0, 0, o, end);
-  return readStartHomingRequest(b, o, end);
-}
+};
+const writeStartHomingRequest = (value, b, o) => {
+};
 export const StartHomingRequest = /* @__PURE__ */ record({
   name: "start_homing_request",
   least: 0,
   most: 0,
-  read: checkStartHomingRequest,
+  read: readStartHomingRequest,
   write: writeStartHomingRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readStartHomingResponse() {
+const readStartHomingResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("start_homing_response", 0, 0, end - o, o);
   return {};
-}
-function writeStartHomingResponse() {}
-function checkStartHomingResponse(b, o, end) {
-  checkSize("start_homing_response", 0, 0, o, end);
-  return readStartHomingResponse(b, o, end);
-}
+};
+const writeStartHomingResponse = (value, b, o) => {
+};
 export const StartHomingResponse = /* @__PURE__ */ record({
   name: "start_homing_response",
   least: 0,
   most: 0,
-  read: checkStartHomingResponse,
+  read: readStartHomingResponse,
   write: writeStartHomingResponse,
   size: null,
   keys: { __proto__: null },
@@ -1044,33 +964,30 @@ export const StartHomingResponse = /* @__PURE__ */ record({
 
 export const StartHoming = /* @__PURE__ */ message("start_homing", 0x11, StartHomingRequest, StartHomingResponse);
 
-function readMovePositiveDistanceRequest(b, o) {
+const readMovePositiveDistanceRequest = (b, o, end) => {
+  if (end - o !== 3) throw wrongSize("move_positive_distance_request", 3, 3, end - o, o);
   return {
     distance: b[o],
     speed: b[o + 1],
     force: b[o + 2],
   };
-}
-function writeMovePositiveDistanceRequest(value, b, o) {
+};
+const writeMovePositiveDistanceRequest = (value, b, o) => {
   const distance_ = value.distance;
-  if (!((distance_ & 255) === distance_ && distance_ >= 1)) throw refusedNumber("distance", distance_, "1..255");
+  if (!(distance_ === (distance_ & 255) && distance_ >= 1)) throw refusedNumber("distance", distance_, "1..255");
   b[o] = distance_;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
+  if (!(speed_ === (speed_ & 255) && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
   b[o + 1] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
+  if (!(force_ === (force_ & 255) && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 2] = force_;
-}
-function checkMovePositiveDistanceRequest(b, o, end) {
-  checkSize("move_positive_distance_request", 3, 3, o, end);
-  return readMovePositiveDistanceRequest(b, o, end);
-}
+};
 export const MovePositiveDistanceRequest = /* @__PURE__ */ record({
   name: "move_positive_distance_request",
   least: 3,
   most: 3,
-  read: checkMovePositiveDistanceRequest,
+  read: readMovePositiveDistanceRequest,
   write: writeMovePositiveDistanceRequest,
   size: null,
   keys: { __proto__: null, distance: 0, speed: 0, force: 0 },
@@ -1078,19 +995,17 @@ export const MovePositiveDistanceRequest = /* @__PURE__ */ record({
   absent: { distance: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 255]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), force: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readMovePositiveDistanceResponse() {
+const readMovePositiveDistanceResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("move_positive_distance_response", 0, 0, end - o, o);
   return {};
-}
-function writeMovePositiveDistanceResponse() {}
-function checkMovePositiveDistanceResponse(b, o, end) {
-  checkSize("move_positive_distance_response", 0, 0, o, end);
-  return readMovePositiveDistanceResponse(b, o, end);
-}
+};
+const writeMovePositiveDistanceResponse = (value, b, o) => {
+};
 export const MovePositiveDistanceResponse = /* @__PURE__ */ record({
   name: "move_positive_distance_response",
   least: 0,
   most: 0,
-  read: checkMovePositiveDistanceResponse,
+  read: readMovePositiveDistanceResponse,
   write: writeMovePositiveDistanceResponse,
   size: null,
   keys: { __proto__: null },
@@ -1099,33 +1014,30 @@ export const MovePositiveDistanceResponse = /* @__PURE__ */ record({
 
 export const MovePositiveDistance = /* @__PURE__ */ message("move_positive_distance", 0x12, MovePositiveDistanceRequest, MovePositiveDistanceResponse);
 
-function readMoveNegativeDistanceRequest(b, o) {
+const readMoveNegativeDistanceRequest = (b, o, end) => {
+  if (end - o !== 3) throw wrongSize("move_negative_distance_request", 3, 3, end - o, o);
   return {
     distance: b[o],
     speed: b[o + 1],
     force: b[o + 2],
   };
-}
-function writeMoveNegativeDistanceRequest(value, b, o) {
+};
+const writeMoveNegativeDistanceRequest = (value, b, o) => {
   const distance_ = value.distance;
-  if (!((distance_ & 255) === distance_ && distance_ >= 1)) throw refusedNumber("distance", distance_, "1..255");
+  if (!(distance_ === (distance_ & 255) && distance_ >= 1)) throw refusedNumber("distance", distance_, "1..255");
   b[o] = distance_;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
+  if (!(speed_ === (speed_ & 255) && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
   b[o + 1] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
+  if (!(force_ === (force_ & 255) && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 2] = force_;
-}
-function checkMoveNegativeDistanceRequest(b, o, end) {
-  checkSize("move_negative_distance_request", 3, 3, o, end);
-  return readMoveNegativeDistanceRequest(b, o, end);
-}
+};
 export const MoveNegativeDistanceRequest = /* @__PURE__ */ record({
   name: "move_negative_distance_request",
   least: 3,
   most: 3,
-  read: checkMoveNegativeDistanceRequest,
+  read: readMoveNegativeDistanceRequest,
   write: writeMoveNegativeDistanceRequest,
   size: null,
   keys: { __proto__: null, distance: 0, speed: 0, force: 0 },
@@ -1133,19 +1045,17 @@ export const MoveNegativeDistanceRequest = /* @__PURE__ */ record({
   absent: { distance: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 255]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), force: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readMoveNegativeDistanceResponse() {
+const readMoveNegativeDistanceResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("move_negative_distance_response", 0, 0, end - o, o);
   return {};
-}
-function writeMoveNegativeDistanceResponse() {}
-function checkMoveNegativeDistanceResponse(b, o, end) {
-  checkSize("move_negative_distance_response", 0, 0, o, end);
-  return readMoveNegativeDistanceResponse(b, o, end);
-}
+};
+const writeMoveNegativeDistanceResponse = (value, b, o) => {
+};
 export const MoveNegativeDistanceResponse = /* @__PURE__ */ record({
   name: "move_negative_distance_response",
   least: 0,
   most: 0,
-  read: checkMoveNegativeDistanceResponse,
+  read: readMoveNegativeDistanceResponse,
   write: writeMoveNegativeDistanceResponse,
   size: null,
   keys: { __proto__: null },
@@ -1154,25 +1064,22 @@ export const MoveNegativeDistanceResponse = /* @__PURE__ */ record({
 
 export const MoveNegativeDistance = /* @__PURE__ */ message("move_negative_distance", 0x13, MoveNegativeDistanceRequest, MoveNegativeDistanceResponse);
 
-function readMoveOpenRequest(b, o) {
+const readMoveOpenRequest = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("move_open_request", 1, 1, end - o, o);
   return {
     speed: b[o],
   };
-}
-function writeMoveOpenRequest(value, b, o) {
+};
+const writeMoveOpenRequest = (value, b, o) => {
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
+  if (!(speed_ === (speed_ & 255) && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
   b[o] = speed_;
-}
-function checkMoveOpenRequest(b, o, end) {
-  checkSize("move_open_request", 1, 1, o, end);
-  return readMoveOpenRequest(b, o, end);
-}
+};
 export const MoveOpenRequest = /* @__PURE__ */ record({
   name: "move_open_request",
   least: 1,
   most: 1,
-  read: checkMoveOpenRequest,
+  read: readMoveOpenRequest,
   write: writeMoveOpenRequest,
   size: null,
   keys: { __proto__: null, speed: 0 },
@@ -1180,19 +1087,17 @@ export const MoveOpenRequest = /* @__PURE__ */ record({
   absent: { speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }) },
 });
 
-function readMoveOpenResponse() {
+const readMoveOpenResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("move_open_response", 0, 0, end - o, o);
   return {};
-}
-function writeMoveOpenResponse() {}
-function checkMoveOpenResponse(b, o, end) {
-  checkSize("move_open_response", 0, 0, o, end);
-  return readMoveOpenResponse(b, o, end);
-}
+};
+const writeMoveOpenResponse = (value, b, o) => {
+};
 export const MoveOpenResponse = /* @__PURE__ */ record({
   name: "move_open_response",
   least: 0,
   most: 0,
-  read: checkMoveOpenResponse,
+  read: readMoveOpenResponse,
   write: writeMoveOpenResponse,
   size: null,
   keys: { __proto__: null },
@@ -1201,25 +1106,22 @@ export const MoveOpenResponse = /* @__PURE__ */ record({
 
 export const MoveOpen = /* @__PURE__ */ message("move_open", 0x14, MoveOpenRequest, MoveOpenResponse);
 
-function readMoveCloseRequest(b, o) {
+const readMoveCloseRequest = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("move_close_request", 1, 1, end - o, o);
   return {
     speed: b[o],
   };
-}
-function writeMoveCloseRequest(value, b, o) {
+};
+const writeMoveCloseRequest = (value, b, o) => {
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
+  if (!(speed_ === (speed_ & 255) && speed_ >= 1 && speed_ <= 100)) throw refusedNumber("speed", speed_, "1..100");
   b[o] = speed_;
-}
-function checkMoveCloseRequest(b, o, end) {
-  checkSize("move_close_request", 1, 1, o, end);
-  return readMoveCloseRequest(b, o, end);
-}
+};
 export const MoveCloseRequest = /* @__PURE__ */ record({
   name: "move_close_request",
   least: 1,
   most: 1,
-  read: checkMoveCloseRequest,
+  read: readMoveCloseRequest,
   write: writeMoveCloseRequest,
   size: null,
   keys: { __proto__: null, speed: 0 },
@@ -1227,19 +1129,17 @@ export const MoveCloseRequest = /* @__PURE__ */ record({
   absent: { speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }) },
 });
 
-function readMoveCloseResponse() {
+const readMoveCloseResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("move_close_response", 0, 0, end - o, o);
   return {};
-}
-function writeMoveCloseResponse() {}
-function checkMoveCloseResponse(b, o, end) {
-  checkSize("move_close_response", 0, 0, o, end);
-  return readMoveCloseResponse(b, o, end);
-}
+};
+const writeMoveCloseResponse = (value, b, o) => {
+};
 export const MoveCloseResponse = /* @__PURE__ */ record({
   name: "move_close_response",
   least: 0,
   most: 0,
-  read: checkMoveCloseResponse,
+  read: readMoveCloseResponse,
   write: writeMoveCloseResponse,
   size: null,
   keys: { __proto__: null },
@@ -1248,34 +1148,31 @@ export const MoveCloseResponse = /* @__PURE__ */ record({
 
 export const MoveClose = /* @__PURE__ */ message("move_close", 0x15, MoveCloseRequest, MoveCloseResponse);
 
-function readMoveRelativeRequest(b, o) {
+const readMoveRelativeRequest = (b, o, end) => {
   o &= 0x7fffffff;
+  if (end - o !== 5) throw wrongSize("move_relative_request", 5, 5, end - o, o);
   return {
     distance: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     speed: b[o + 4],
   };
-}
-function writeMoveRelativeRequest(value, b, o) {
+};
+const writeMoveRelativeRequest = (value, b, o) => {
   o &= 0x7fffffff;
   const distance_ = value.distance;
-  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
+  if (!(distance_ === (distance_ | 0) && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
   b[o] = distance_;
   b[o + 1] = distance_ >>> 8;
   b[o + 2] = distance_ >>> 16;
   b[o + 3] = distance_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 4] = speed_;
-}
-function checkMoveRelativeRequest(b, o, end) {
-  checkSize("move_relative_request", 5, 5, o, end);
-  return readMoveRelativeRequest(b, o, end);
-}
+};
 export const MoveRelativeRequest = /* @__PURE__ */ record({
   name: "move_relative_request",
   least: 5,
   most: 5,
-  read: checkMoveRelativeRequest,
+  read: readMoveRelativeRequest,
   write: writeMoveRelativeRequest,
   size: null,
   keys: { __proto__: null, distance: 0, speed: 0 },
@@ -1283,19 +1180,17 @@ export const MoveRelativeRequest = /* @__PURE__ */ record({
   absent: { distance: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readMoveRelativeResponse() {
+const readMoveRelativeResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("move_relative_response", 0, 0, end - o, o);
   return {};
-}
-function writeMoveRelativeResponse() {}
-function checkMoveRelativeResponse(b, o, end) {
-  checkSize("move_relative_response", 0, 0, o, end);
-  return readMoveRelativeResponse(b, o, end);
-}
+};
+const writeMoveRelativeResponse = (value, b, o) => {
+};
 export const MoveRelativeResponse = /* @__PURE__ */ record({
   name: "move_relative_response",
   least: 0,
   most: 0,
-  read: checkMoveRelativeResponse,
+  read: readMoveRelativeResponse,
   write: writeMoveRelativeResponse,
   size: null,
   keys: { __proto__: null },
@@ -1304,34 +1199,31 @@ export const MoveRelativeResponse = /* @__PURE__ */ record({
 
 export const MoveRelative = /* @__PURE__ */ message("move_relative", 0x16, MoveRelativeRequest, MoveRelativeResponse);
 
-function readMoveAbsoluteRequest(b, o) {
+const readMoveAbsoluteRequest = (b, o, end) => {
   o &= 0x7fffffff;
+  if (end - o !== 5) throw wrongSize("move_absolute_request", 5, 5, end - o, o);
   return {
     position: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     speed: b[o + 4],
   };
-}
-function writeMoveAbsoluteRequest(value, b, o) {
+};
+const writeMoveAbsoluteRequest = (value, b, o) => {
   o &= 0x7fffffff;
   const position_ = value.position;
-  if (!((position_ | 0) === position_ && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, "-134217727..134217727");
+  if (!(position_ === (position_ | 0) && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, "-134217727..134217727");
   b[o] = position_;
   b[o + 1] = position_ >>> 8;
   b[o + 2] = position_ >>> 16;
   b[o + 3] = position_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 4] = speed_;
-}
-function checkMoveAbsoluteRequest(b, o, end) {
-  checkSize("move_absolute_request", 5, 5, o, end);
-  return readMoveAbsoluteRequest(b, o, end);
-}
+};
 export const MoveAbsoluteRequest = /* @__PURE__ */ record({
   name: "move_absolute_request",
   least: 5,
   most: 5,
-  read: checkMoveAbsoluteRequest,
+  read: readMoveAbsoluteRequest,
   write: writeMoveAbsoluteRequest,
   size: null,
   keys: { __proto__: null, position: 0, speed: 0 },
@@ -1339,19 +1231,17 @@ export const MoveAbsoluteRequest = /* @__PURE__ */ record({
   absent: { position: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readMoveAbsoluteResponse() {
+const readMoveAbsoluteResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("move_absolute_response", 0, 0, end - o, o);
   return {};
-}
-function writeMoveAbsoluteResponse() {}
-function checkMoveAbsoluteResponse(b, o, end) {
-  checkSize("move_absolute_response", 0, 0, o, end);
-  return readMoveAbsoluteResponse(b, o, end);
-}
+};
+const writeMoveAbsoluteResponse = (value, b, o) => {
+};
 export const MoveAbsoluteResponse = /* @__PURE__ */ record({
   name: "move_absolute_response",
   least: 0,
   most: 0,
-  read: checkMoveAbsoluteResponse,
+  read: readMoveAbsoluteResponse,
   write: writeMoveAbsoluteResponse,
   size: null,
   keys: { __proto__: null },
@@ -1360,29 +1250,26 @@ export const MoveAbsoluteResponse = /* @__PURE__ */ record({
 
 export const MoveAbsolute = /* @__PURE__ */ message("move_absolute", 0x17, MoveAbsoluteRequest, MoveAbsoluteResponse);
 
-function readMoveToPointRequest(b, o) {
+const readMoveToPointRequest = (b, o, end) => {
+  if (end - o !== 2) throw wrongSize("move_to_point_request", 2, 2, end - o, o);
   return {
     pointNumber: b[o],
     speed: b[o + 1],
   };
-}
-function writeMoveToPointRequest(value, b, o) {
+};
+const writeMoveToPointRequest = (value, b, o) => {
   const pointNumber_ = value.pointNumber;
-  if (!((pointNumber_ & 255) === pointNumber_ && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, "1..31");
+  if (!(pointNumber_ === (pointNumber_ & 255) && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, "1..31");
   b[o] = pointNumber_;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 1] = speed_;
-}
-function checkMoveToPointRequest(b, o, end) {
-  checkSize("move_to_point_request", 2, 2, o, end);
-  return readMoveToPointRequest(b, o, end);
-}
+};
 export const MoveToPointRequest = /* @__PURE__ */ record({
   name: "move_to_point_request",
   least: 2,
   most: 2,
-  read: checkMoveToPointRequest,
+  read: readMoveToPointRequest,
   write: writeMoveToPointRequest,
   size: null,
   keys: { __proto__: null, pointNumber: 0, speed: 0 },
@@ -1390,19 +1277,17 @@ export const MoveToPointRequest = /* @__PURE__ */ record({
   absent: { pointNumber: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 31]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readMoveToPointResponse() {
+const readMoveToPointResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("move_to_point_response", 0, 0, end - o, o);
   return {};
-}
-function writeMoveToPointResponse() {}
-function checkMoveToPointResponse(b, o, end) {
-  checkSize("move_to_point_response", 0, 0, o, end);
-  return readMoveToPointResponse(b, o, end);
-}
+};
+const writeMoveToPointResponse = (value, b, o) => {
+};
 export const MoveToPointResponse = /* @__PURE__ */ record({
   name: "move_to_point_response",
   least: 0,
   most: 0,
-  read: checkMoveToPointResponse,
+  read: readMoveToPointResponse,
   write: writeMoveToPointResponse,
   size: null,
   keys: { __proto__: null },
@@ -1411,29 +1296,26 @@ export const MoveToPointResponse = /* @__PURE__ */ record({
 
 export const MoveToPoint = /* @__PURE__ */ message("move_to_point", 0x1A, MoveToPointRequest, MoveToPointResponse);
 
-function readGripOpenRequest(b, o) {
+const readGripOpenRequest = (b, o, end) => {
+  if (end - o !== 2) throw wrongSize("grip_open_request", 2, 2, end - o, o);
   return {
     speed: b[o],
     force: b[o + 1],
   };
-}
-function writeGripOpenRequest(value, b, o) {
+};
+const writeGripOpenRequest = (value, b, o) => {
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
+  if (!(force_ === (force_ & 255) && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 1] = force_;
-}
-function checkGripOpenRequest(b, o, end) {
-  checkSize("grip_open_request", 2, 2, o, end);
-  return readGripOpenRequest(b, o, end);
-}
+};
 export const GripOpenRequest = /* @__PURE__ */ record({
   name: "grip_open_request",
   least: 2,
   most: 2,
-  read: checkGripOpenRequest,
+  read: readGripOpenRequest,
   write: writeGripOpenRequest,
   size: null,
   keys: { __proto__: null, speed: 0, force: 0 },
@@ -1441,19 +1323,17 @@ export const GripOpenRequest = /* @__PURE__ */ record({
   absent: { speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), force: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readGripOpenResponse() {
+const readGripOpenResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("grip_open_response", 0, 0, end - o, o);
   return {};
-}
-function writeGripOpenResponse() {}
-function checkGripOpenResponse(b, o, end) {
-  checkSize("grip_open_response", 0, 0, o, end);
-  return readGripOpenResponse(b, o, end);
-}
+};
+const writeGripOpenResponse = (value, b, o) => {
+};
 export const GripOpenResponse = /* @__PURE__ */ record({
   name: "grip_open_response",
   least: 0,
   most: 0,
-  read: checkGripOpenResponse,
+  read: readGripOpenResponse,
   write: writeGripOpenResponse,
   size: null,
   keys: { __proto__: null },
@@ -1462,29 +1342,26 @@ export const GripOpenResponse = /* @__PURE__ */ record({
 
 export const GripOpen = /* @__PURE__ */ message("grip_open", 0x20, GripOpenRequest, GripOpenResponse);
 
-function readGripCloseRequest(b, o) {
+const readGripCloseRequest = (b, o, end) => {
+  if (end - o !== 2) throw wrongSize("grip_close_request", 2, 2, end - o, o);
   return {
     speed: b[o],
     force: b[o + 1],
   };
-}
-function writeGripCloseRequest(value, b, o) {
+};
+const writeGripCloseRequest = (value, b, o) => {
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
+  if (!(force_ === (force_ & 255) && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 1] = force_;
-}
-function checkGripCloseRequest(b, o, end) {
-  checkSize("grip_close_request", 2, 2, o, end);
-  return readGripCloseRequest(b, o, end);
-}
+};
 export const GripCloseRequest = /* @__PURE__ */ record({
   name: "grip_close_request",
   least: 2,
   most: 2,
-  read: checkGripCloseRequest,
+  read: readGripCloseRequest,
   write: writeGripCloseRequest,
   size: null,
   keys: { __proto__: null, speed: 0, force: 0 },
@@ -1492,19 +1369,17 @@ export const GripCloseRequest = /* @__PURE__ */ record({
   absent: { speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), force: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readGripCloseResponse() {
+const readGripCloseResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("grip_close_response", 0, 0, end - o, o);
   return {};
-}
-function writeGripCloseResponse() {}
-function checkGripCloseResponse(b, o, end) {
-  checkSize("grip_close_response", 0, 0, o, end);
-  return readGripCloseResponse(b, o, end);
-}
+};
+const writeGripCloseResponse = (value, b, o) => {
+};
 export const GripCloseResponse = /* @__PURE__ */ record({
   name: "grip_close_response",
   least: 0,
   most: 0,
-  read: checkGripCloseResponse,
+  read: readGripCloseResponse,
   write: writeGripCloseResponse,
   size: null,
   keys: { __proto__: null },
@@ -1513,38 +1388,35 @@ export const GripCloseResponse = /* @__PURE__ */ record({
 
 export const GripClose = /* @__PURE__ */ message("grip_close", 0x21, GripCloseRequest, GripCloseResponse);
 
-function readGripRelativeRequest(b, o) {
+const readGripRelativeRequest = (b, o, end) => {
   o &= 0x7fffffff;
+  if (end - o !== 6) throw wrongSize("grip_relative_request", 6, 6, end - o, o);
   return {
     distance: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     speed: b[o + 4],
     force: b[o + 5],
   };
-}
-function writeGripRelativeRequest(value, b, o) {
+};
+const writeGripRelativeRequest = (value, b, o) => {
   o &= 0x7fffffff;
   const distance_ = value.distance;
-  if (!((distance_ | 0) === distance_ && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
+  if (!(distance_ === (distance_ | 0) && distance_ >= -134217727 && distance_ <= 134217727)) throw refusedNumber("distance", distance_, "-134217727..134217727");
   b[o] = distance_;
   b[o + 1] = distance_ >>> 8;
   b[o + 2] = distance_ >>> 16;
   b[o + 3] = distance_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 4] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
+  if (!(force_ === (force_ & 255) && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 5] = force_;
-}
-function checkGripRelativeRequest(b, o, end) {
-  checkSize("grip_relative_request", 6, 6, o, end);
-  return readGripRelativeRequest(b, o, end);
-}
+};
 export const GripRelativeRequest = /* @__PURE__ */ record({
   name: "grip_relative_request",
   least: 6,
   most: 6,
-  read: checkGripRelativeRequest,
+  read: readGripRelativeRequest,
   write: writeGripRelativeRequest,
   size: null,
   keys: { __proto__: null, distance: 0, speed: 0, force: 0 },
@@ -1552,19 +1424,17 @@ export const GripRelativeRequest = /* @__PURE__ */ record({
   absent: { distance: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), force: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readGripRelativeResponse() {
+const readGripRelativeResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("grip_relative_response", 0, 0, end - o, o);
   return {};
-}
-function writeGripRelativeResponse() {}
-function checkGripRelativeResponse(b, o, end) {
-  checkSize("grip_relative_response", 0, 0, o, end);
-  return readGripRelativeResponse(b, o, end);
-}
+};
+const writeGripRelativeResponse = (value, b, o) => {
+};
 export const GripRelativeResponse = /* @__PURE__ */ record({
   name: "grip_relative_response",
   least: 0,
   most: 0,
-  read: checkGripRelativeResponse,
+  read: readGripRelativeResponse,
   write: writeGripRelativeResponse,
   size: null,
   keys: { __proto__: null },
@@ -1573,38 +1443,35 @@ export const GripRelativeResponse = /* @__PURE__ */ record({
 
 export const GripRelative = /* @__PURE__ */ message("grip_relative", 0x22, GripRelativeRequest, GripRelativeResponse);
 
-function readGripAbsoluteRequest(b, o) {
+const readGripAbsoluteRequest = (b, o, end) => {
   o &= 0x7fffffff;
+  if (end - o !== 6) throw wrongSize("grip_absolute_request", 6, 6, end - o, o);
   return {
     position: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     speed: b[o + 4],
     force: b[o + 5],
   };
-}
-function writeGripAbsoluteRequest(value, b, o) {
+};
+const writeGripAbsoluteRequest = (value, b, o) => {
   o &= 0x7fffffff;
   const position_ = value.position;
-  if (!((position_ | 0) === position_ && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, "-134217727..134217727");
+  if (!(position_ === (position_ | 0) && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, "-134217727..134217727");
   b[o] = position_;
   b[o + 1] = position_ >>> 8;
   b[o + 2] = position_ >>> 16;
   b[o + 3] = position_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 4] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
+  if (!(force_ === (force_ & 255) && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 5] = force_;
-}
-function checkGripAbsoluteRequest(b, o, end) {
-  checkSize("grip_absolute_request", 6, 6, o, end);
-  return readGripAbsoluteRequest(b, o, end);
-}
+};
 export const GripAbsoluteRequest = /* @__PURE__ */ record({
   name: "grip_absolute_request",
   least: 6,
   most: 6,
-  read: checkGripAbsoluteRequest,
+  read: readGripAbsoluteRequest,
   write: writeGripAbsoluteRequest,
   size: null,
   keys: { __proto__: null, position: 0, speed: 0, force: 0 },
@@ -1612,19 +1479,17 @@ export const GripAbsoluteRequest = /* @__PURE__ */ record({
   absent: { position: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), force: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readGripAbsoluteResponse() {
+const readGripAbsoluteResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("grip_absolute_response", 0, 0, end - o, o);
   return {};
-}
-function writeGripAbsoluteResponse() {}
-function checkGripAbsoluteResponse(b, o, end) {
-  checkSize("grip_absolute_response", 0, 0, o, end);
-  return readGripAbsoluteResponse(b, o, end);
-}
+};
+const writeGripAbsoluteResponse = (value, b, o) => {
+};
 export const GripAbsoluteResponse = /* @__PURE__ */ record({
   name: "grip_absolute_response",
   least: 0,
   most: 0,
-  read: checkGripAbsoluteResponse,
+  read: readGripAbsoluteResponse,
   write: writeGripAbsoluteResponse,
   size: null,
   keys: { __proto__: null },
@@ -1633,45 +1498,42 @@ export const GripAbsoluteResponse = /* @__PURE__ */ record({
 
 export const GripAbsolute = /* @__PURE__ */ message("grip_absolute", 0x23, GripAbsoluteRequest, GripAbsoluteResponse);
 
-function readGripOpenWithZoneRequest(b, o) {
+const readGripOpenWithZoneRequest = (b, o, end) => {
   o &= 0x7fffffff;
+  if (end - o !== 10) throw wrongSize("grip_open_with_zone_request", 10, 10, end - o, o);
   return {
     zoneLimit1: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     zoneLimit2: ((b[o + 7] << 24) | (b[o + 6] << 16) | (b[o + 5] << 8) | b[o + 4]),
     speed: b[o + 8],
     force: b[o + 9],
   };
-}
-function writeGripOpenWithZoneRequest(value, b, o) {
+};
+const writeGripOpenWithZoneRequest = (value, b, o) => {
   o &= 0x7fffffff;
   const zoneLimit1_ = value.zoneLimit1;
-  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
+  if (!(zoneLimit1_ === (zoneLimit1_ | 0) && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
   b[o] = zoneLimit1_;
   b[o + 1] = zoneLimit1_ >>> 8;
   b[o + 2] = zoneLimit1_ >>> 16;
   b[o + 3] = zoneLimit1_ >>> 24;
   const zoneLimit2_ = value.zoneLimit2;
-  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
+  if (!(zoneLimit2_ === (zoneLimit2_ | 0) && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
   b[o + 4] = zoneLimit2_;
   b[o + 5] = zoneLimit2_ >>> 8;
   b[o + 6] = zoneLimit2_ >>> 16;
   b[o + 7] = zoneLimit2_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 8] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
+  if (!(force_ === (force_ & 255) && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 9] = force_;
-}
-function checkGripOpenWithZoneRequest(b, o, end) {
-  checkSize("grip_open_with_zone_request", 10, 10, o, end);
-  return readGripOpenWithZoneRequest(b, o, end);
-}
+};
 export const GripOpenWithZoneRequest = /* @__PURE__ */ record({
   name: "grip_open_with_zone_request",
   least: 10,
   most: 10,
-  read: checkGripOpenWithZoneRequest,
+  read: readGripOpenWithZoneRequest,
   write: writeGripOpenWithZoneRequest,
   size: null,
   keys: { __proto__: null, zoneLimit1: 0, zoneLimit2: 0, speed: 0, force: 0 },
@@ -1679,19 +1541,17 @@ export const GripOpenWithZoneRequest = /* @__PURE__ */ record({
   absent: { zoneLimit1: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), zoneLimit2: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), force: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readGripOpenWithZoneResponse() {
+const readGripOpenWithZoneResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("grip_open_with_zone_response", 0, 0, end - o, o);
   return {};
-}
-function writeGripOpenWithZoneResponse() {}
-function checkGripOpenWithZoneResponse(b, o, end) {
-  checkSize("grip_open_with_zone_response", 0, 0, o, end);
-  return readGripOpenWithZoneResponse(b, o, end);
-}
+};
+const writeGripOpenWithZoneResponse = (value, b, o) => {
+};
 export const GripOpenWithZoneResponse = /* @__PURE__ */ record({
   name: "grip_open_with_zone_response",
   least: 0,
   most: 0,
-  read: checkGripOpenWithZoneResponse,
+  read: readGripOpenWithZoneResponse,
   write: writeGripOpenWithZoneResponse,
   size: null,
   keys: { __proto__: null },
@@ -1700,45 +1560,42 @@ export const GripOpenWithZoneResponse = /* @__PURE__ */ record({
 
 export const GripOpenWithZone = /* @__PURE__ */ message("grip_open_with_zone", 0x24, GripOpenWithZoneRequest, GripOpenWithZoneResponse);
 
-function readGripCloseWithZoneRequest(b, o) {
+const readGripCloseWithZoneRequest = (b, o, end) => {
   o &= 0x7fffffff;
+  if (end - o !== 10) throw wrongSize("grip_close_with_zone_request", 10, 10, end - o, o);
   return {
     zoneLimit1: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
     zoneLimit2: ((b[o + 7] << 24) | (b[o + 6] << 16) | (b[o + 5] << 8) | b[o + 4]),
     speed: b[o + 8],
     force: b[o + 9],
   };
-}
-function writeGripCloseWithZoneRequest(value, b, o) {
+};
+const writeGripCloseWithZoneRequest = (value, b, o) => {
   o &= 0x7fffffff;
   const zoneLimit1_ = value.zoneLimit1;
-  if (!((zoneLimit1_ | 0) === zoneLimit1_ && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
+  if (!(zoneLimit1_ === (zoneLimit1_ | 0) && zoneLimit1_ >= -134217727 && zoneLimit1_ <= 134217727)) throw refusedNumber("zone_limit_1", zoneLimit1_, "-134217727..134217727");
   b[o] = zoneLimit1_;
   b[o + 1] = zoneLimit1_ >>> 8;
   b[o + 2] = zoneLimit1_ >>> 16;
   b[o + 3] = zoneLimit1_ >>> 24;
   const zoneLimit2_ = value.zoneLimit2;
-  if (!((zoneLimit2_ | 0) === zoneLimit2_ && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
+  if (!(zoneLimit2_ === (zoneLimit2_ | 0) && zoneLimit2_ >= -134217727 && zoneLimit2_ <= 134217727)) throw refusedNumber("zone_limit_2", zoneLimit2_, "-134217727..134217727");
   b[o + 4] = zoneLimit2_;
   b[o + 5] = zoneLimit2_ >>> 8;
   b[o + 6] = zoneLimit2_ >>> 16;
   b[o + 7] = zoneLimit2_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 255) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 255) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 8] = speed_;
   const force_ = value.force;
-  if (!((force_ & 255) === force_ && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
+  if (!(force_ === (force_ & 255) && force_ <= 100)) throw refusedNumber("force", force_, "0..100");
   b[o + 9] = force_;
-}
-function checkGripCloseWithZoneRequest(b, o, end) {
-  checkSize("grip_close_with_zone_request", 10, 10, o, end);
-  return readGripCloseWithZoneRequest(b, o, end);
-}
+};
 export const GripCloseWithZoneRequest = /* @__PURE__ */ record({
   name: "grip_close_with_zone_request",
   least: 10,
   most: 10,
-  read: checkGripCloseWithZoneRequest,
+  read: readGripCloseWithZoneRequest,
   write: writeGripCloseWithZoneRequest,
   size: null,
   keys: { __proto__: null, zoneLimit1: 0, zoneLimit2: 0, speed: 0, force: 0 },
@@ -1746,19 +1603,17 @@ export const GripCloseWithZoneRequest = /* @__PURE__ */ record({
   absent: { zoneLimit1: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), zoneLimit2: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-134217727, 134217727]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }), force: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 100]] }) },
 });
 
-function readGripCloseWithZoneResponse() {
+const readGripCloseWithZoneResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("grip_close_with_zone_response", 0, 0, end - o, o);
   return {};
-}
-function writeGripCloseWithZoneResponse() {}
-function checkGripCloseWithZoneResponse(b, o, end) {
-  checkSize("grip_close_with_zone_response", 0, 0, o, end);
-  return readGripCloseWithZoneResponse(b, o, end);
-}
+};
+const writeGripCloseWithZoneResponse = (value, b, o) => {
+};
 export const GripCloseWithZoneResponse = /* @__PURE__ */ record({
   name: "grip_close_with_zone_response",
   least: 0,
   most: 0,
-  read: checkGripCloseWithZoneResponse,
+  read: readGripCloseWithZoneResponse,
   write: writeGripCloseWithZoneResponse,
   size: null,
   keys: { __proto__: null },
@@ -1767,38 +1622,34 @@ export const GripCloseWithZoneResponse = /* @__PURE__ */ record({
 
 export const GripCloseWithZone = /* @__PURE__ */ message("grip_close_with_zone", 0x25, GripCloseWithZoneRequest, GripCloseWithZoneResponse);
 
-function readNoOperationRequest() {
+const readNoOperationRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("no_operation_request", 0, 0, end - o, o);
   return {};
-}
-function writeNoOperationRequest() {}
-function checkNoOperationRequest(b, o, end) {
-  checkSize("no_operation_request", 0, 0, o, end);
-  return readNoOperationRequest(b, o, end);
-}
+};
+const writeNoOperationRequest = (value, b, o) => {
+};
 export const NoOperationRequest = /* @__PURE__ */ record({
   name: "no_operation_request",
   least: 0,
   most: 0,
-  read: checkNoOperationRequest,
+  read: readNoOperationRequest,
   write: writeNoOperationRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readNoOperationResponse() {
+const readNoOperationResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("no_operation_response", 0, 0, end - o, o);
   return {};
-}
-function writeNoOperationResponse() {}
-function checkNoOperationResponse(b, o, end) {
-  checkSize("no_operation_response", 0, 0, o, end);
-  return readNoOperationResponse(b, o, end);
-}
+};
+const writeNoOperationResponse = (value, b, o) => {
+};
 export const NoOperationResponse = /* @__PURE__ */ record({
   name: "no_operation_response",
   least: 0,
   most: 0,
-  read: checkNoOperationResponse,
+  read: readNoOperationResponse,
   write: writeNoOperationResponse,
   size: null,
   keys: { __proto__: null },
@@ -1807,45 +1658,40 @@ export const NoOperationResponse = /* @__PURE__ */ record({
 
 export const NoOperation = /* @__PURE__ */ message("no_operation", 0x30, NoOperationRequest, NoOperationResponse);
 
-function readSetMotorExcitationRequest(b, o) {
+const readSetMotorExcitationRequest = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("set_motor_excitation_request", 1, 1, end - o, o);
   const excited_ = booleanOf("excited", b[o], o);
   return {
     excited: excited_,
   };
-}
-function writeSetMotorExcitationRequest(value, b, o) {
+};
+const writeSetMotorExcitationRequest = (value, b, o) => {
   const excited_ = value.excited;
   const excited_Raw = numberOf("excited", excited_);
   b[o] = excited_Raw;
-}
-function checkSetMotorExcitationRequest(b, o, end) {
-  checkSize("set_motor_excitation_request", 1, 1, o, end);
-  return readSetMotorExcitationRequest(b, o, end);
-}
+};
 export const SetMotorExcitationRequest = /* @__PURE__ */ record({
   name: "set_motor_excitation_request",
   least: 1,
   most: 1,
-  read: checkSetMotorExcitationRequest,
+  read: readSetMotorExcitationRequest,
   write: writeSetMotorExcitationRequest,
   size: null,
   keys: { __proto__: null, excited: 0 },
   units: {},
 });
 
-function readSetMotorExcitationResponse() {
+const readSetMotorExcitationResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("set_motor_excitation_response", 0, 0, end - o, o);
   return {};
-}
-function writeSetMotorExcitationResponse() {}
-function checkSetMotorExcitationResponse(b, o, end) {
-  checkSize("set_motor_excitation_response", 0, 0, o, end);
-  return readSetMotorExcitationResponse(b, o, end);
-}
+};
+const writeSetMotorExcitationResponse = (value, b, o) => {
+};
 export const SetMotorExcitationResponse = /* @__PURE__ */ record({
   name: "set_motor_excitation_response",
   least: 0,
   most: 0,
-  read: checkSetMotorExcitationResponse,
+  read: readSetMotorExcitationResponse,
   write: writeSetMotorExcitationResponse,
   size: null,
   keys: { __proto__: null },
@@ -1854,44 +1700,39 @@ export const SetMotorExcitationResponse = /* @__PURE__ */ record({
 
 export const SetMotorExcitation = /* @__PURE__ */ message("set_motor_excitation", 0x31, SetMotorExcitationRequest, SetMotorExcitationResponse);
 
-function readReadVersionRequest() {
+const readReadVersionRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("read_version_request", 0, 0, end - o, o);
   return {};
-}
-function writeReadVersionRequest() {}
-function checkReadVersionRequest(b, o, end) {
-  checkSize("read_version_request", 0, 0, o, end);
-  return readReadVersionRequest(b, o, end);
-}
+};
+const writeReadVersionRequest = (value, b, o) => {
+};
 export const ReadVersionRequest = /* @__PURE__ */ record({
   name: "read_version_request",
   least: 0,
   most: 0,
-  read: checkReadVersionRequest,
+  read: readReadVersionRequest,
   write: writeReadVersionRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readReadVersionResponse(b, o) {
+const readReadVersionResponse = (b, o, end) => {
+  if (end - o !== 6) throw wrongSize("read_version_response", 6, 6, end - o, o);
   const version_ = textOf("version", b, o, 6);
   return {
     version: version_,
   };
-}
-function writeReadVersionResponse(value, b, o) {
+};
+const writeReadVersionResponse = (value, b, o) => {
   const version_ = value.version;
   putText("version", version_, b, o, 6);
-}
-function checkReadVersionResponse(b, o, end) {
-  checkSize("read_version_response", 6, 6, o, end);
-  return readReadVersionResponse(b, o, end);
-}
+};
 export const ReadVersionResponse = /* @__PURE__ */ record({
   name: "read_version_response",
   least: 6,
   most: 6,
-  read: checkReadVersionResponse,
+  read: readReadVersionResponse,
   write: writeReadVersionResponse,
   size: null,
   keys: { __proto__: null, version: 0 },
@@ -1900,47 +1741,42 @@ export const ReadVersionResponse = /* @__PURE__ */ record({
 
 export const ReadVersion = /* @__PURE__ */ message("read_version", 0x40, ReadVersionRequest, ReadVersionResponse);
 
-function readReadCurrentPositionRequest() {
+const readReadCurrentPositionRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("read_current_position_request", 0, 0, end - o, o);
   return {};
-}
-function writeReadCurrentPositionRequest() {}
-function checkReadCurrentPositionRequest(b, o, end) {
-  checkSize("read_current_position_request", 0, 0, o, end);
-  return readReadCurrentPositionRequest(b, o, end);
-}
+};
+const writeReadCurrentPositionRequest = (value, b, o) => {
+};
 export const ReadCurrentPositionRequest = /* @__PURE__ */ record({
   name: "read_current_position_request",
   least: 0,
   most: 0,
-  read: checkReadCurrentPositionRequest,
+  read: readReadCurrentPositionRequest,
   write: writeReadCurrentPositionRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readReadCurrentPositionResponse(b, o) {
+const readReadCurrentPositionResponse = (b, o, end) => {
+  if (end - o !== 4) throw wrongSize("read_current_position_response", 4, 4, end - o, o);
   return {
     position: ((b[o + 3] << 24) | (b[o + 2] << 16) | (b[o + 1] << 8) | b[o]),
   };
-}
-function writeReadCurrentPositionResponse(value, b, o) {
+};
+const writeReadCurrentPositionResponse = (value, b, o) => {
   const position_ = value.position;
-  if (!((position_ | 0) === position_ && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, "-134217727..134217727");
+  if (!(position_ === (position_ | 0) && position_ >= -134217727 && position_ <= 134217727)) throw refusedNumber("position", position_, "-134217727..134217727");
   b[o] = position_;
   b[o + 1] = position_ >>> 8;
   b[o + 2] = position_ >>> 16;
   b[o + 3] = position_ >>> 24;
-}
-function checkReadCurrentPositionResponse(b, o, end) {
-  checkSize("read_current_position_response", 4, 4, o, end);
-  return readReadCurrentPositionResponse(b, o, end);
-}
+};
 export const ReadCurrentPositionResponse = /* @__PURE__ */ record({
   name: "read_current_position_response",
   least: 4,
   most: 4,
-  read: checkReadCurrentPositionResponse,
+  read: readReadCurrentPositionResponse,
   write: writeReadCurrentPositionResponse,
   size: null,
   keys: { __proto__: null, position: 0 },
@@ -1950,44 +1786,39 @@ export const ReadCurrentPositionResponse = /* @__PURE__ */ record({
 
 export const ReadCurrentPosition = /* @__PURE__ */ message("read_current_position", 0x41, ReadCurrentPositionRequest, ReadCurrentPositionResponse);
 
-function readReadCurrentPointNumberRequest() {
+const readReadCurrentPointNumberRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("read_current_point_number_request", 0, 0, end - o, o);
   return {};
-}
-function writeReadCurrentPointNumberRequest() {}
-function checkReadCurrentPointNumberRequest(b, o, end) {
-  checkSize("read_current_point_number_request", 0, 0, o, end);
-  return readReadCurrentPointNumberRequest(b, o, end);
-}
+};
+const writeReadCurrentPointNumberRequest = (value, b, o) => {
+};
 export const ReadCurrentPointNumberRequest = /* @__PURE__ */ record({
   name: "read_current_point_number_request",
   least: 0,
   most: 0,
-  read: checkReadCurrentPointNumberRequest,
+  read: readReadCurrentPointNumberRequest,
   write: writeReadCurrentPointNumberRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readReadCurrentPointNumberResponse(b, o) {
+const readReadCurrentPointNumberResponse = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("read_current_point_number_response", 1, 1, end - o, o);
   return {
     pointNumber: b[o],
   };
-}
-function writeReadCurrentPointNumberResponse(value, b, o) {
+};
+const writeReadCurrentPointNumberResponse = (value, b, o) => {
   const pointNumber_ = value.pointNumber;
-  if (!((pointNumber_ & 255) === pointNumber_ && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, "1..31");
+  if (!(pointNumber_ === (pointNumber_ & 255) && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, "1..31");
   b[o] = pointNumber_;
-}
-function checkReadCurrentPointNumberResponse(b, o, end) {
-  checkSize("read_current_point_number_response", 1, 1, o, end);
-  return readReadCurrentPointNumberResponse(b, o, end);
-}
+};
 export const ReadCurrentPointNumberResponse = /* @__PURE__ */ record({
   name: "read_current_point_number_response",
   least: 1,
   most: 1,
-  read: checkReadCurrentPointNumberResponse,
+  read: readReadCurrentPointNumberResponse,
   write: writeReadCurrentPointNumberResponse,
   size: null,
   keys: { __proto__: null, pointNumber: 0 },
@@ -1997,25 +1828,22 @@ export const ReadCurrentPointNumberResponse = /* @__PURE__ */ record({
 
 export const ReadCurrentPointNumber = /* @__PURE__ */ message("read_current_point_number", 0x42, ReadCurrentPointNumberRequest, ReadCurrentPointNumberResponse);
 
-function readReadParameterRequest(b, o) {
+const readReadParameterRequest = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("read_parameter_request", 1, 1, end - o, o);
   return {
     parameterNumber: b[o],
   };
-}
-function writeReadParameterRequest(value, b, o) {
+};
+const writeReadParameterRequest = (value, b, o) => {
   const parameterNumber_ = value.parameterNumber;
-  if (!((parameterNumber_ & 255) === parameterNumber_ && parameterNumber_ <= 31)) throw refusedNumber("parameter_number", parameterNumber_, "0..31");
+  if (!(parameterNumber_ === (parameterNumber_ & 255) && parameterNumber_ <= 31)) throw refusedNumber("parameter_number", parameterNumber_, "0..31");
   b[o] = parameterNumber_;
-}
-function checkReadParameterRequest(b, o, end) {
-  checkSize("read_parameter_request", 1, 1, o, end);
-  return readReadParameterRequest(b, o, end);
-}
+};
 export const ReadParameterRequest = /* @__PURE__ */ record({
   name: "read_parameter_request",
   least: 1,
   most: 1,
-  read: checkReadParameterRequest,
+  read: readReadParameterRequest,
   write: writeReadParameterRequest,
   size: null,
   keys: { __proto__: null, parameterNumber: 0 },
@@ -2023,26 +1851,23 @@ export const ReadParameterRequest = /* @__PURE__ */ record({
   absent: { parameterNumber: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 31]] }) },
 });
 
-function readReadParameterResponse(b, o) {
+const readReadParameterResponse = (b, o, end) => {
+  if (end - o !== 2) throw wrongSize("read_parameter_response", 2, 2, end - o, o);
   return {
     value: ((b[o + 1] << 8) | b[o]),
   };
-}
-function writeReadParameterResponse(value, b, o) {
+};
+const writeReadParameterResponse = (value, b, o) => {
   const value_ = value.value;
-  if (!((value_ & 65535) === value_)) throw refusedNumber("value", value_, "0..65535");
+  if (!(value_ === (value_ & 65535))) throw refusedNumber("value", value_, "0..65535");
   b[o] = value_;
   b[o + 1] = value_ >>> 8;
-}
-function checkReadParameterResponse(b, o, end) {
-  checkSize("read_parameter_response", 2, 2, o, end);
-  return readReadParameterResponse(b, o, end);
-}
+};
 export const ReadParameterResponse = /* @__PURE__ */ record({
   name: "read_parameter_response",
   least: 2,
   most: 2,
-  read: checkReadParameterResponse,
+  read: readReadParameterResponse,
   write: writeReadParameterResponse,
   size: null,
   keys: { __proto__: null, value: 0 },
@@ -2051,25 +1876,22 @@ export const ReadParameterResponse = /* @__PURE__ */ record({
 
 export const ReadParameter = /* @__PURE__ */ message("read_parameter", 0x43, ReadParameterRequest, ReadParameterResponse);
 
-function readReadPointRequest(b, o) {
+const readReadPointRequest = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("read_point_request", 1, 1, end - o, o);
   return {
     pointNumber: b[o],
   };
-}
-function writeReadPointRequest(value, b, o) {
+};
+const writeReadPointRequest = (value, b, o) => {
   const pointNumber_ = value.pointNumber;
-  if (!((pointNumber_ & 255) === pointNumber_ && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, "1..31");
+  if (!(pointNumber_ === (pointNumber_ & 255) && pointNumber_ >= 1 && pointNumber_ <= 31)) throw refusedNumber("point_number", pointNumber_, "1..31");
   b[o] = pointNumber_;
-}
-function checkReadPointRequest(b, o, end) {
-  checkSize("read_point_request", 1, 1, o, end);
-  return readReadPointRequest(b, o, end);
-}
+};
 export const ReadPointRequest = /* @__PURE__ */ record({
   name: "read_point_request",
   least: 1,
   most: 1,
-  read: checkReadPointRequest,
+  read: readReadPointRequest,
   write: writeReadPointRequest,
   size: null,
   keys: { __proto__: null, pointNumber: 0 },
@@ -2077,25 +1899,22 @@ export const ReadPointRequest = /* @__PURE__ */ record({
   absent: { pointNumber: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 31]] }) },
 });
 
-function readReadPointResponse(b, o) {
-  const point_ = readPoint(b, o);
+const readReadPointResponse = (b, o, end) => {
+  if (end - o !== 16) throw wrongSize("read_point_response", 16, 16, end - o, o);
+  const point_ = readPoint(b, o, o + 16);
   return {
     point: point_,
   };
-}
-function writeReadPointResponse(value, b, o) {
+};
+const writeReadPointResponse = (value, b, o) => {
   Point.check(value.point);
   writePoint(value.point, b, o);
-}
-function checkReadPointResponse(b, o, end) {
-  checkSize("read_point_response", 16, 16, o, end);
-  return readReadPointResponse(b, o, end);
-}
+};
 export const ReadPointResponse = /* @__PURE__ */ record({
   name: "read_point_response",
   least: 16,
   most: 16,
-  read: checkReadPointResponse,
+  read: readReadPointResponse,
   write: writeReadPointResponse,
   size: null,
   keys: { __proto__: null, point: 0 },
@@ -2104,45 +1923,40 @@ export const ReadPointResponse = /* @__PURE__ */ record({
 
 export const ReadPoint = /* @__PURE__ */ message("read_point", 0x44, ReadPointRequest, ReadPointResponse);
 
-function readReadHomingStateRequest() {
+const readReadHomingStateRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("read_homing_state_request", 0, 0, end - o, o);
   return {};
-}
-function writeReadHomingStateRequest() {}
-function checkReadHomingStateRequest(b, o, end) {
-  checkSize("read_homing_state_request", 0, 0, o, end);
-  return readReadHomingStateRequest(b, o, end);
-}
+};
+const writeReadHomingStateRequest = (value, b, o) => {
+};
 export const ReadHomingStateRequest = /* @__PURE__ */ record({
   name: "read_homing_state_request",
   least: 0,
   most: 0,
-  read: checkReadHomingStateRequest,
+  read: readReadHomingStateRequest,
   write: writeReadHomingStateRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readReadHomingStateResponse(b, o) {
+const readReadHomingStateResponse = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("read_homing_state_response", 1, 1, end - o, o);
   const homingComplete_ = booleanOf("homing_complete", b[o], o);
   return {
     homingComplete: homingComplete_,
   };
-}
-function writeReadHomingStateResponse(value, b, o) {
+};
+const writeReadHomingStateResponse = (value, b, o) => {
   const homingComplete_ = value.homingComplete;
   const homingComplete_Raw = numberOf("homing_complete", homingComplete_);
   b[o] = homingComplete_Raw;
-}
-function checkReadHomingStateResponse(b, o, end) {
-  checkSize("read_homing_state_response", 1, 1, o, end);
-  return readReadHomingStateResponse(b, o, end);
-}
+};
 export const ReadHomingStateResponse = /* @__PURE__ */ record({
   name: "read_homing_state_response",
   least: 1,
   most: 1,
-  read: checkReadHomingStateResponse,
+  read: readReadHomingStateResponse,
   write: writeReadHomingStateResponse,
   size: null,
   keys: { __proto__: null, homingComplete: 0 },
@@ -2151,45 +1965,40 @@ export const ReadHomingStateResponse = /* @__PURE__ */ record({
 
 export const ReadHomingState = /* @__PURE__ */ message("read_homing_state", 0x45, ReadHomingStateRequest, ReadHomingStateResponse);
 
-function readReadMotorExcitationRequest() {
+const readReadMotorExcitationRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("read_motor_excitation_request", 0, 0, end - o, o);
   return {};
-}
-function writeReadMotorExcitationRequest() {}
-function checkReadMotorExcitationRequest(b, o, end) {
-  checkSize("read_motor_excitation_request", 0, 0, o, end);
-  return readReadMotorExcitationRequest(b, o, end);
-}
+};
+const writeReadMotorExcitationRequest = (value, b, o) => {
+};
 export const ReadMotorExcitationRequest = /* @__PURE__ */ record({
   name: "read_motor_excitation_request",
   least: 0,
   most: 0,
-  read: checkReadMotorExcitationRequest,
+  read: readReadMotorExcitationRequest,
   write: writeReadMotorExcitationRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readReadMotorExcitationResponse(b, o) {
+const readReadMotorExcitationResponse = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("read_motor_excitation_response", 1, 1, end - o, o);
   const excited_ = booleanOf("excited", b[o], o);
   return {
     excited: excited_,
   };
-}
-function writeReadMotorExcitationResponse(value, b, o) {
+};
+const writeReadMotorExcitationResponse = (value, b, o) => {
   const excited_ = value.excited;
   const excited_Raw = numberOf("excited", excited_);
   b[o] = excited_Raw;
-}
-function checkReadMotorExcitationResponse(b, o, end) {
-  checkSize("read_motor_excitation_response", 1, 1, o, end);
-  return readReadMotorExcitationResponse(b, o, end);
-}
+};
 export const ReadMotorExcitationResponse = /* @__PURE__ */ record({
   name: "read_motor_excitation_response",
   least: 1,
   most: 1,
-  read: checkReadMotorExcitationResponse,
+  read: readReadMotorExcitationResponse,
   write: writeReadMotorExcitationResponse,
   size: null,
   keys: { __proto__: null, excited: 0 },
@@ -2198,44 +2007,39 @@ export const ReadMotorExcitationResponse = /* @__PURE__ */ record({
 
 export const ReadMotorExcitation = /* @__PURE__ */ message("read_motor_excitation", 0x46, ReadMotorExcitationRequest, ReadMotorExcitationResponse);
 
-function readReadAlarmCodeRequest() {
+const readReadAlarmCodeRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("read_alarm_code_request", 0, 0, end - o, o);
   return {};
-}
-function writeReadAlarmCodeRequest() {}
-function checkReadAlarmCodeRequest(b, o, end) {
-  checkSize("read_alarm_code_request", 0, 0, o, end);
-  return readReadAlarmCodeRequest(b, o, end);
-}
+};
+const writeReadAlarmCodeRequest = (value, b, o) => {
+};
 export const ReadAlarmCodeRequest = /* @__PURE__ */ record({
   name: "read_alarm_code_request",
   least: 0,
   most: 0,
-  read: checkReadAlarmCodeRequest,
+  read: readReadAlarmCodeRequest,
   write: writeReadAlarmCodeRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readReadAlarmCodeResponse(b, o) {
+const readReadAlarmCodeResponse = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("read_alarm_code_response", 1, 1, end - o, o);
   return {
     alarmCode: b[o],
   };
-}
-function writeReadAlarmCodeResponse(value, b, o) {
+};
+const writeReadAlarmCodeResponse = (value, b, o) => {
   const alarmCode_ = value.alarmCode;
-  if (!((alarmCode_ & 255) === alarmCode_)) throw refusedNumber("alarm_code", alarmCode_, "0..255");
+  if (!(alarmCode_ === (alarmCode_ & 255))) throw refusedNumber("alarm_code", alarmCode_, "0..255");
   b[o] = alarmCode_;
-}
-function checkReadAlarmCodeResponse(b, o, end) {
-  checkSize("read_alarm_code_response", 1, 1, o, end);
-  return readReadAlarmCodeResponse(b, o, end);
-}
+};
 export const ReadAlarmCodeResponse = /* @__PURE__ */ record({
   name: "read_alarm_code_response",
   least: 1,
   most: 1,
-  read: checkReadAlarmCodeResponse,
+  read: readReadAlarmCodeResponse,
   write: writeReadAlarmCodeResponse,
   size: null,
   keys: { __proto__: null, alarmCode: 0 },
@@ -2244,49 +2048,44 @@ export const ReadAlarmCodeResponse = /* @__PURE__ */ record({
 
 export const ReadAlarmCode = /* @__PURE__ */ message("read_alarm_code", 0x47, ReadAlarmCodeRequest, ReadAlarmCodeResponse);
 
-function readReadAccumulatedTimeRequest() {
+const readReadAccumulatedTimeRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("read_accumulated_time_request", 0, 0, end - o, o);
   return {};
-}
-function writeReadAccumulatedTimeRequest() {}
-function checkReadAccumulatedTimeRequest(b, o, end) {
-  checkSize("read_accumulated_time_request", 0, 0, o, end);
-  return readReadAccumulatedTimeRequest(b, o, end);
-}
+};
+const writeReadAccumulatedTimeRequest = (value, b, o) => {
+};
 export const ReadAccumulatedTimeRequest = /* @__PURE__ */ record({
   name: "read_accumulated_time_request",
   least: 0,
   most: 0,
-  read: checkReadAccumulatedTimeRequest,
+  read: readReadAccumulatedTimeRequest,
   write: writeReadAccumulatedTimeRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readReadAccumulatedTimeResponse(b, o) {
+const readReadAccumulatedTimeResponse = (b, o, end) => {
+  if (end - o !== 3) throw wrongSize("read_accumulated_time_response", 3, 3, end - o, o);
   return {
     hours: ((b[o + 1] << 8) | b[o]),
     minutes: b[o + 2],
   };
-}
-function writeReadAccumulatedTimeResponse(value, b, o) {
+};
+const writeReadAccumulatedTimeResponse = (value, b, o) => {
   const hours_ = value.hours;
-  if (!((hours_ & 65535) === hours_)) throw refusedNumber("hours", hours_, "0..65535");
+  if (!(hours_ === (hours_ & 65535))) throw refusedNumber("hours", hours_, "0..65535");
   b[o] = hours_;
   b[o + 1] = hours_ >>> 8;
   const minutes_ = value.minutes;
-  if (!((minutes_ & 255) === minutes_ && minutes_ <= 60)) throw refusedNumber("minutes", minutes_, "0..60");
+  if (!(minutes_ === (minutes_ & 255) && minutes_ <= 60)) throw refusedNumber("minutes", minutes_, "0..60");
   b[o + 2] = minutes_;
-}
-function checkReadAccumulatedTimeResponse(b, o, end) {
-  checkSize("read_accumulated_time_response", 3, 3, o, end);
-  return readReadAccumulatedTimeResponse(b, o, end);
-}
+};
 export const ReadAccumulatedTimeResponse = /* @__PURE__ */ record({
   name: "read_accumulated_time_response",
   least: 3,
   most: 3,
-  read: checkReadAccumulatedTimeResponse,
+  read: readReadAccumulatedTimeResponse,
   write: writeReadAccumulatedTimeResponse,
   size: null,
   keys: { __proto__: null, hours: 0, minutes: 0 },
@@ -2296,38 +2095,34 @@ export const ReadAccumulatedTimeResponse = /* @__PURE__ */ record({
 
 export const ReadAccumulatedTime = /* @__PURE__ */ message("read_accumulated_time", 0x48, ReadAccumulatedTimeRequest, ReadAccumulatedTimeResponse);
 
-function readResetAlarmRequest() {
+const readResetAlarmRequest = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("reset_alarm_request", 0, 0, end - o, o);
   return {};
-}
-function writeResetAlarmRequest() {}
-function checkResetAlarmRequest(b, o, end) {
-  checkSize("reset_alarm_request", 0, 0, o, end);
-  return readResetAlarmRequest(b, o, end);
-}
+};
+const writeResetAlarmRequest = (value, b, o) => {
+};
 export const ResetAlarmRequest = /* @__PURE__ */ record({
   name: "reset_alarm_request",
   least: 0,
   most: 0,
-  read: checkResetAlarmRequest,
+  read: readResetAlarmRequest,
   write: writeResetAlarmRequest,
   size: null,
   keys: { __proto__: null },
   units: {},
 });
 
-function readResetAlarmResponse() {
+const readResetAlarmResponse = (b, o, end) => {
+  if (end - o !== 0) throw wrongSize("reset_alarm_response", 0, 0, end - o, o);
   return {};
-}
-function writeResetAlarmResponse() {}
-function checkResetAlarmResponse(b, o, end) {
-  checkSize("reset_alarm_response", 0, 0, o, end);
-  return readResetAlarmResponse(b, o, end);
-}
+};
+const writeResetAlarmResponse = (value, b, o) => {
+};
 export const ResetAlarmResponse = /* @__PURE__ */ record({
   name: "reset_alarm_response",
   least: 0,
   most: 0,
-  read: checkResetAlarmResponse,
+  read: readResetAlarmResponse,
   write: writeResetAlarmResponse,
   size: null,
   keys: { __proto__: null },
@@ -2381,36 +2176,36 @@ export const serialRequestFramer = () => lengthFramer({ ...framesOfSerial, parts
 export const serialResponseFramer = () => lengthFramer({ ...framesOfSerial, parts: framesOfSerial.response, shortest: 4, longest: 244, address: { offset: 1, size: 1, order: "little", signed: false, unitSize: 1, base: 0 }, addresses: new Set([0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]), length: { offset: 0, size: 1, order: "little", signed: false, unitSize: 1, base: 0 } });
 
 export const Parameters = /* @__PURE__ */ parameterSet("parameters", {
-  actuatorType: /* @__PURE__ */ parameter("actuator_type", 0, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("actuator_type", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "0" }),
-  positiveSoftLimit: /* @__PURE__ */ parameter("positive_soft_limit", 1, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value <= 9999)) throw refusedNumber("positive_soft_limit", value, "0..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 9999]] }), printedName: "1" }),
-  negativeSoftLimit: /* @__PURE__ */ parameter("negative_soft_limit", 2, 0, "", (b, o) => (((b[o + 1] << 8) | b[o]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -9999 && value <= 0)) throw refusedNumber("negative_soft_limit", value, "-9999..0"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, carriedSigned: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[-9999n, 0n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-9999, 0]] }), printedName: "2" }),
-  stroke: /* @__PURE__ */ parameter("stroke", 3, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value <= 9999)) throw refusedNumber("stroke", value, "0..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 9999]] }), printedName: "3" }),
-  preset4: /* @__PURE__ */ parameter("preset_4", 4, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_4", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "4" }),
-  homingDirection: /* @__PURE__ */ parameter("homing_direction", 5, 0, "", (b, o) => { const number = ((b[o + 1] << 8) | b[o]); if (!(number <= 1)) throw wrongNumber("unknown_value", "homing_direction", number, "which homing_direction does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("homing_direction", value, "homing_direction", false); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "5" }),
-  homingSpeed: /* @__PURE__ */ parameter("homing_speed", 6, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 50)) throw refusedNumber("homing_speed", value, "1..50"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 50n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 50]] }), printedName: "6" }),
-  homeOffset: /* @__PURE__ */ parameter("home_offset", 7, 0, "", (b, o) => (((b[o + 1] << 8) | b[o]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -9999 && value <= 9999)) throw refusedNumber("home_offset", value, "-9999..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, carriedSigned: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[-9999n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-9999, 9999]] }), printedName: "7" }),
-  acceleration: /* @__PURE__ */ parameter("acceleration", 8, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("acceleration", value, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "8" }),
-  maximumProgramSpeed: /* @__PURE__ */ parameter("maximum_program_speed", 9, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("maximum_program_speed", value, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "9" }),
-  grippingSpeed: /* @__PURE__ */ parameter("gripping_speed", 10, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("gripping_speed", value, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "10" }),
-  constantSpeedDistance: /* @__PURE__ */ parameter("constant_speed_distance", 11, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 9999)) throw refusedNumber("constant_speed_distance", value, "1..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 100n, absent: [], ranges: [[1n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 9999]] }), printedName: "11" }),
-  limitWidth: /* @__PURE__ */ parameter("limit_width", 12, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 9999)) throw refusedNumber("limit_width", value, "1..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 100n, absent: [], ranges: [[1n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 9999]] }), printedName: "12" }),
-  positioningCompletePulses: /* @__PURE__ */ parameter("positioning_complete_pulses", 13, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 4000)) throw refusedNumber("positioning_complete_pulses", value, "1..4000"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 4000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 4000]] }), printedName: "13" }),
-  preset14: /* @__PURE__ */ parameter("preset_14", 14, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_14", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "14" }),
-  preset15: /* @__PURE__ */ parameter("preset_15", 15, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_15", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "15" }),
-  homingMethod: /* @__PURE__ */ parameter("homing_method", 16, 0, "", (b, o) => { const number = ((b[o + 1] << 8) | b[o]); if (!(number <= 1)) throw wrongNumber("unknown_value", "homing_method", number, "which homing_method does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("homing_method", value, "homing_method", false); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "16" }),
-  preset17: /* @__PURE__ */ parameter("preset_17", 17, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_17", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "17" }),
-  unregistered18: /* @__PURE__ */ parameter("unregistered_18", 18, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("unregistered_18", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "18" }),
-  unregistered19: /* @__PURE__ */ parameter("unregistered_19", 19, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("unregistered_19", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "19" }),
-  unregistered20: /* @__PURE__ */ parameter("unregistered_20", 20, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("unregistered_20", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "20" }),
-  preset21: /* @__PURE__ */ parameter("preset_21", 21, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_21", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "21" }),
-  preset22: /* @__PURE__ */ parameter("preset_22", 22, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_22", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "22" }),
-  preset23: /* @__PURE__ */ parameter("preset_23", 23, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_23", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "23" }),
-  preset24: /* @__PURE__ */ parameter("preset_24", 24, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_24", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "24" }),
-  preset25: /* @__PURE__ */ parameter("preset_25", 25, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_25", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "25" }),
-  preset26: /* @__PURE__ */ parameter("preset_26", 26, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_26", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "26" }),
-  preset27: /* @__PURE__ */ parameter("preset_27", 27, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_27", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "27" }),
-  preset28: /* @__PURE__ */ parameter("preset_28", 28, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_28", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "28" }),
-  preset29: /* @__PURE__ */ parameter("preset_29", 29, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_29", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "29" }),
-  actuatorMaximumSpeed: /* @__PURE__ */ parameter("actuator_maximum_speed", 30, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("actuator_maximum_speed", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }), printedName: "30" }),
-  preset31: /* @__PURE__ */ parameter("preset_31", 31, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("preset_31", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "31" }),
+  actuatorType: /* @__PURE__ */ parameter("actuator_type", 0, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("actuator_type", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "0" }),
+  positiveSoftLimit: /* @__PURE__ */ parameter("positive_soft_limit", 1, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535) && value <= 9999)) throw refusedNumber("positive_soft_limit", value, "0..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 9999]] }), printedName: "1" }),
+  negativeSoftLimit: /* @__PURE__ */ parameter("negative_soft_limit", 2, 0, "", (b, o) => (((b[o + 1] << 8) | b[o]) << 16) >> 16, (value, b, o) => { if (!(value === (value | 0) && value >= -32768 && value <= 32767 && value >= -9999 && value <= 0)) throw refusedNumber("negative_soft_limit", value, "-9999..0"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, carriedSigned: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[-9999n, 0n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-9999, 0]] }), printedName: "2" }),
+  stroke: /* @__PURE__ */ parameter("stroke", 3, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535) && value <= 9999)) throw refusedNumber("stroke", value, "0..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 9999]] }), printedName: "3" }),
+  preset4: /* @__PURE__ */ parameter("preset_4", 4, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_4", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "4" }),
+  homingDirection: /* @__PURE__ */ parameter("homing_direction", 5, 0, "", (b, o) => { const number = ((b[o + 1] << 8) | b[o]); if (!(number <= 1)) throw wrongNumber("unknown_value", "homing_direction", number, "which homing_direction does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("homing_direction", value, "homing_direction", false); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "5" }),
+  homingSpeed: /* @__PURE__ */ parameter("homing_speed", 6, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 50)) throw refusedNumber("homing_speed", value, "1..50"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 50n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 50]] }), printedName: "6" }),
+  homeOffset: /* @__PURE__ */ parameter("home_offset", 7, 0, "", (b, o) => (((b[o + 1] << 8) | b[o]) << 16) >> 16, (value, b, o) => { if (!(value === (value | 0) && value >= -32768 && value <= 32767 && value >= -9999 && value <= 9999)) throw refusedNumber("home_offset", value, "-9999..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "i16", kind: "integer", size: 2, signed: true, carriedSigned: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[-9999n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[-9999, 9999]] }), printedName: "7" }),
+  acceleration: /* @__PURE__ */ parameter("acceleration", 8, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 100)) throw refusedNumber("acceleration", value, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "8" }),
+  maximumProgramSpeed: /* @__PURE__ */ parameter("maximum_program_speed", 9, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 100)) throw refusedNumber("maximum_program_speed", value, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "9" }),
+  grippingSpeed: /* @__PURE__ */ parameter("gripping_speed", 10, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 100)) throw refusedNumber("gripping_speed", value, "1..100"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }), printedName: "10" }),
+  constantSpeedDistance: /* @__PURE__ */ parameter("constant_speed_distance", 11, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 9999)) throw refusedNumber("constant_speed_distance", value, "1..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 100n, absent: [], ranges: [[1n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 9999]] }), printedName: "11" }),
+  limitWidth: /* @__PURE__ */ parameter("limit_width", 12, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 9999)) throw refusedNumber("limit_width", value, "1..9999"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "mm", factor: 1n, shift: 0n, divisor: 100n, absent: [], ranges: [[1n, 9999n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 9999]] }), printedName: "12" }),
+  positioningCompletePulses: /* @__PURE__ */ parameter("positioning_complete_pulses", 13, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 4000)) throw refusedNumber("positioning_complete_pulses", value, "1..4000"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 4000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 4000]] }), printedName: "13" }),
+  preset14: /* @__PURE__ */ parameter("preset_14", 14, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_14", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "14" }),
+  preset15: /* @__PURE__ */ parameter("preset_15", 15, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_15", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "15" }),
+  homingMethod: /* @__PURE__ */ parameter("homing_method", 16, 0, "", (b, o) => { const number = ((b[o + 1] << 8) | b[o]); if (!(number <= 1)) throw wrongNumber("unknown_value", "homing_method", number, "which homing_method does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("homing_method", value, "homing_method", false); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "16" }),
+  preset17: /* @__PURE__ */ parameter("preset_17", 17, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_17", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "17" }),
+  unregistered18: /* @__PURE__ */ parameter("unregistered_18", 18, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("unregistered_18", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "18" }),
+  unregistered19: /* @__PURE__ */ parameter("unregistered_19", 19, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("unregistered_19", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "19" }),
+  unregistered20: /* @__PURE__ */ parameter("unregistered_20", 20, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("unregistered_20", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "20" }),
+  preset21: /* @__PURE__ */ parameter("preset_21", 21, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_21", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "21" }),
+  preset22: /* @__PURE__ */ parameter("preset_22", 22, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_22", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "22" }),
+  preset23: /* @__PURE__ */ parameter("preset_23", 23, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_23", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "23" }),
+  preset24: /* @__PURE__ */ parameter("preset_24", 24, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_24", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "24" }),
+  preset25: /* @__PURE__ */ parameter("preset_25", 25, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_25", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "25" }),
+  preset26: /* @__PURE__ */ parameter("preset_26", 26, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_26", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "26" }),
+  preset27: /* @__PURE__ */ parameter("preset_27", 27, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_27", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "27" }),
+  preset28: /* @__PURE__ */ parameter("preset_28", 28, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_28", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "28" }),
+  preset29: /* @__PURE__ */ parameter("preset_29", 29, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_29", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "29" }),
+  actuatorMaximumSpeed: /* @__PURE__ */ parameter("actuator_maximum_speed", 30, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("actuator_maximum_speed", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 65535n]], wide: false }), printedName: "30" }),
+  preset31: /* @__PURE__ */ parameter("preset_31", 31, 0, "", (b, o) => ((b[o + 1] << 8) | b[o]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("preset_31", value, "0..65535"); b[o] = value; b[o + 1] = value >>> 8; }, { type: "u16", kind: "integer", size: 2, signed: false, places: [1, 0], printedName: "31" }),
 });

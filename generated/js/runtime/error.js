@@ -28,7 +28,7 @@ export function wrongNumber(reason, name, number, expected, offset) {
 
 /** The error of a value that cannot be encoded as a whole number that is allowed; `wide` where numbers are bigints. */
 export function refusedNumber(name, value, allowed, wide) {
-  return wrongType(name, value, wide) ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
+  return wrongWhole(name, value, wide) ?? new CodecError("out_of_range", `${name} is ${value}, not in ${allowed}`);
 }
 
 /** The error of a word with a field of bits that is out of its range. */
@@ -38,20 +38,24 @@ export function refusedBits(name, bits, allowed) {
 
 /** The error of a value that a closed enum does not list; `wide` where its numbers are bigints. */
 export function refusedMember(name, value, enumName, wide) {
-  return wrongType(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
+  return wrongWhole(name, value, wide) ?? new CodecError("unknown_value", `${name} is ${value}, which ${enumName} does not list`);
 }
 
 /** The error of a value that is not a whole number, or null. */
-function wrongType(name, value, wide) {
-  if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
+function wrongWhole(name, value, wide) {
   if (wide ? typeof value === "bigint" : Number.isInteger(value)) return null;
-  return new CodecError("wrong_type", `${name} is ${wide ? "a bigint" : "a whole number"}, not ${printed(value)}`);
+  return wrongType(name, value, wide ? "a bigint" : "a whole number");
+}
+
+/** The error of a value that is missing, or not of its `kind`. */
+export function wrongType(name, value, kind) {
+  if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
+  return new CodecError("wrong_type", `${name} is ${kind}, not ${printed(value)}`);
 }
 
 /** The error of a value that must be a list of `least` to `most` elements. */
 export function refusedList(name, value, least, most) {
-  if (value === undefined) return new CodecError("missing_value", `${name} is missing`);
-  if (!Array.isArray(value)) return new CodecError("wrong_type", `${name} is an array, not ${printed(value)}`);
+  if (!Array.isArray(value)) return wrongType(name, value, "an array");
   const count = least === most ? `${least}` : `${least}..${most}`;
   return new CodecError("wrong_length", `${name} has ${count} elements, not ${value.length}`);
 }

@@ -1,4 +1,4 @@
-import { CodecError, printed, wrongSize } from "./error.js";
+import { CodecError, printed, wrongType } from "./error.js";
 
 /**
  * A record. `read(bytes, start, end)` and `write(value, bytes, start)` are its generated functions; `size(value)`
@@ -23,11 +23,13 @@ export function record({ name, least, most, read, write, size: sizeOf, keys, uni
     },
     /** The bytes of a value. Throws CodecError. */
     encode(value) {
-      // With as many keys as there are fields, an unknown one takes the place of a field, which the writer misses then.
-      if (keyCount(value) !== count) knownKeys(name, value, keys);
       try {
         const bytes = new Uint8Array(size === null ? least : size(value));
         write(value, bytes, 0);
+        // The writer has found every field, so with as many keys as there are fields, none is unknown.
+        let unknown = -count;
+        for (const _ in value) unknown++;
+        if (unknown !== 0 || typeof value !== "object" || value === null) knownKeys(name, value, keys);
         return bytes;
       } catch (error) {
         knownKeys(name, value, keys);
@@ -47,27 +49,10 @@ function writableSize(name, size) {
   return size;
 }
 
-/** How many keys a value has; -1 for what is not an object. */
-function keyCount(value) {
-  if (typeof value !== "object" || value === null) return -1;
-  let count = 0;
-  for (const _ in value) count++;
-  return count;
-}
-
 /** Throws CodecError for what is not an object, and for a field that a record does not have. */
 export function knownKeys(name, value, keys) {
-  if (typeof value !== "object" || value === null) {
-    if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
-    throw new CodecError("wrong_type", `${name} is an object, not ${printed(value)}`);
-  }
+  if (typeof value !== "object" || value === null) throw wrongType(name, value, "an object");
   for (const key in value) {
     if (!(key in keys)) throw new CodecError("unknown_field", `${name} has no field ${printed(key)}`);
   }
-}
-
-/** Throws CodecError unless there are `least` to `most` bytes from `start` to `end`. */
-export function checkSize(name, least, most, start, end) {
-  const size = end - start;
-  if (size < least || size > most) throw wrongSize(name, least, most, size, start);
 }

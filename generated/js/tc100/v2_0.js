@@ -9,12 +9,12 @@
  */
 import { absentValues } from "../runtime/absent.js";
 import { crc16, lrc } from "../runtime/checksums.js";
-import { brokenList, refusedMember, refusedNumber, wrongNumber } from "../runtime/error.js";
+import { brokenList, refusedMember, refusedNumber, wrongNumber, wrongSize } from "../runtime/error.js";
 import { codeFramer, delimiterFramer } from "../runtime/framer.js";
 import { frames, link, message } from "../runtime/link.js";
 import { unit } from "../runtime/quantity.js";
-import { checkSize, record } from "../runtime/record.js";
-import { readRequestsOf, register, registerArray, table, valueOf, writeRequestsOf } from "../runtime/register.js";
+import { record } from "../runtime/record.js";
+import { register, registerArray, registerFunctions, table } from "../runtime/register.js";
 import { booleanOf, checkList, listLength, numberOf, putText, setBits, textOf } from "../runtime/values.js";
 
 export const DEVICE = "tc100";
@@ -227,25 +227,22 @@ export const InputWord = /* @__PURE__ */ Object.freeze({
   raw: (bits, raw = 0) => setBits("input_word", BITS_OF_InputWord, bits, raw, 16),
 });
 
-function readException(b, o) {
+const readException = (b, o, end) => {
+  if (end - o !== 1) throw wrongSize("exception", 1, 1, end - o, o);
   return {
     exceptionCode: b[o],
   };
-}
-function writeException(value, b, o) {
+};
+const writeException = (value, b, o) => {
   const exceptionCode_ = value.exceptionCode;
-  if (!((exceptionCode_ & 255) === exceptionCode_ && exceptionCode_ >= 1 && exceptionCode_ <= 3)) throw refusedNumber("exception_code", exceptionCode_, "1..3");
+  if (!(exceptionCode_ === (exceptionCode_ & 255) && exceptionCode_ >= 1 && exceptionCode_ <= 3)) throw refusedNumber("exception_code", exceptionCode_, "1..3");
   b[o] = exceptionCode_;
-}
-function checkException(b, o, end) {
-  checkSize("exception", 1, 1, o, end);
-  return readException(b, o, end);
-}
+};
 export const Exception = /* @__PURE__ */ record({
   name: "exception",
   least: 1,
   most: 1,
-  read: checkException,
+  read: readException,
   write: writeException,
   size: null,
   keys: { __proto__: null, exceptionCode: 0 },
@@ -253,8 +250,9 @@ export const Exception = /* @__PURE__ */ record({
   absent: { exceptionCode: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 3]] }) },
 });
 
-function readPoint(b, o) {
+const readPoint = (b, o, end) => {
   o &= 0x7fffffff;
+  if (end - o !== 28) throw wrongSize("point", 28, 28, end - o, o);
   return {
     mode: ((b[o] << 8) | b[o + 1]),
     position: ((b[o + 2] << 24) | (b[o + 3] << 16) | (b[o + 4] << 8) | b[o + 5]),
@@ -267,65 +265,61 @@ function readPoint(b, o) {
     waitTime: ((b[o + 24] << 8) | b[o + 25]),
     nextPoint: (((b[o + 26] << 8) | b[o + 27]) << 16) >> 16,
   };
-}
-function writePoint(value, b, o) {
+};
+const writePoint = (value, b, o) => {
   o &= 0x7fffffff;
   const mode_ = value.mode;
-  if (!((mode_ & 65535) === mode_ && mode_ <= 16)) throw refusedNumber("mode", mode_, "0..16");
+  if (!(mode_ === (mode_ & 65535) && mode_ <= 16)) throw refusedNumber("mode", mode_, "0..16");
   b[o + 1] = mode_;
   b[o] = mode_ >>> 8;
   const position_ = value.position;
-  if (!((position_ | 0) === position_)) throw refusedNumber("position", position_, "-2147483648..2147483647");
+  if (!(position_ === (position_ | 0))) throw refusedNumber("position", position_, "-2147483648..2147483647");
   b[o + 5] = position_;
   b[o + 4] = position_ >>> 8;
   b[o + 3] = position_ >>> 16;
   b[o + 2] = position_ >>> 24;
   const speed_ = value.speed;
-  if (!((speed_ & 65535) === speed_ && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
+  if (!(speed_ === (speed_ & 65535) && speed_ <= 100)) throw refusedNumber("speed", speed_, "0..100");
   b[o + 7] = speed_;
   b[o + 6] = speed_ >>> 8;
   const torqueLimit_ = value.torqueLimit;
-  if (!((torqueLimit_ & 65535) === torqueLimit_ && torqueLimit_ <= 1000)) throw refusedNumber("torque_limit", torqueLimit_, "0..1000");
+  if (!(torqueLimit_ === (torqueLimit_ & 65535) && torqueLimit_ <= 1000)) throw refusedNumber("torque_limit", torqueLimit_, "0..1000");
   b[o + 9] = torqueLimit_;
   b[o + 8] = torqueLimit_ >>> 8;
   const zoneLowerLimit_ = value.zoneLowerLimit;
-  if (!((zoneLowerLimit_ | 0) === zoneLowerLimit_)) throw refusedNumber("zone_lower_limit", zoneLowerLimit_, "-2147483648..2147483647");
+  if (!(zoneLowerLimit_ === (zoneLowerLimit_ | 0))) throw refusedNumber("zone_lower_limit", zoneLowerLimit_, "-2147483648..2147483647");
   b[o + 15] = zoneLowerLimit_;
   b[o + 14] = zoneLowerLimit_ >>> 8;
   b[o + 13] = zoneLowerLimit_ >>> 16;
   b[o + 12] = zoneLowerLimit_ >>> 24;
   const zoneUpperLimit_ = value.zoneUpperLimit;
-  if (!((zoneUpperLimit_ | 0) === zoneUpperLimit_)) throw refusedNumber("zone_upper_limit", zoneUpperLimit_, "-2147483648..2147483647");
+  if (!(zoneUpperLimit_ === (zoneUpperLimit_ | 0))) throw refusedNumber("zone_upper_limit", zoneUpperLimit_, "-2147483648..2147483647");
   b[o + 19] = zoneUpperLimit_;
   b[o + 18] = zoneUpperLimit_ >>> 8;
   b[o + 17] = zoneUpperLimit_ >>> 16;
   b[o + 16] = zoneUpperLimit_ >>> 24;
   const accelerationTime_ = value.accelerationTime;
-  if (!((accelerationTime_ & 65535) === accelerationTime_ && accelerationTime_ >= 1 && accelerationTime_ <= 30000)) throw refusedNumber("acceleration_time", accelerationTime_, "1..30000");
+  if (!(accelerationTime_ === (accelerationTime_ & 65535) && accelerationTime_ >= 1 && accelerationTime_ <= 30000)) throw refusedNumber("acceleration_time", accelerationTime_, "1..30000");
   b[o + 21] = accelerationTime_;
   b[o + 20] = accelerationTime_ >>> 8;
   const decelerationTime_ = value.decelerationTime;
-  if (!((decelerationTime_ & 65535) === decelerationTime_ && decelerationTime_ >= 1 && decelerationTime_ <= 30000)) throw refusedNumber("deceleration_time", decelerationTime_, "1..30000");
+  if (!(decelerationTime_ === (decelerationTime_ & 65535) && decelerationTime_ >= 1 && decelerationTime_ <= 30000)) throw refusedNumber("deceleration_time", decelerationTime_, "1..30000");
   b[o + 23] = decelerationTime_;
   b[o + 22] = decelerationTime_ >>> 8;
   const waitTime_ = value.waitTime;
-  if (!((waitTime_ & 65535) === waitTime_ && waitTime_ <= 30000)) throw refusedNumber("wait_time", waitTime_, "0..30000");
+  if (!(waitTime_ === (waitTime_ & 65535) && waitTime_ <= 30000)) throw refusedNumber("wait_time", waitTime_, "0..30000");
   b[o + 25] = waitTime_;
   b[o + 24] = waitTime_ >>> 8;
   const nextPoint_ = value.nextPoint;
-  if (!((nextPoint_ | 0) === nextPoint_ && nextPoint_ >= -32768 && nextPoint_ <= 32767 && (nextPoint_ === -1 || (nextPoint_ >= 1 && nextPoint_ <= 127)))) throw refusedNumber("next_point", nextPoint_, "-1, 1..127");
+  if (!(nextPoint_ === (nextPoint_ | 0) && nextPoint_ >= -32768 && nextPoint_ <= 32767 && (nextPoint_ === -1 || (nextPoint_ >= 1 && nextPoint_ <= 127)))) throw refusedNumber("next_point", nextPoint_, "-1, 1..127");
   b[o + 27] = nextPoint_;
   b[o + 26] = nextPoint_ >>> 8;
-}
-function checkPoint(b, o, end) {
-  checkSize("point", 28, 28, o, end);
-  return readPoint(b, o, end);
-}
+};
 export const Point = /* @__PURE__ */ record({
   name: "point",
   least: 28,
   most: 28,
-  read: checkPoint,
+  read: readPoint,
   write: writePoint,
   size: null,
   keys: { __proto__: null, mode: 0, position: 0, speed: 0, torqueLimit: 0, zoneLowerLimit: 0, zoneUpperLimit: 0, accelerationTime: 0, decelerationTime: 0, waitTime: 0, nextPoint: 0 },
@@ -333,31 +327,28 @@ export const Point = /* @__PURE__ */ record({
   absent: { mode: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 16]] }), speed: /* @__PURE__ */ absentValues({ __proto__: null, start_speed: 0 }, { __proto__: null }, { ranges: [[0, 100]] }), torqueLimit: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }), accelerationTime: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 30000]] }), decelerationTime: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 30000]] }), waitTime: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 30000]] }), nextPoint: /* @__PURE__ */ absentValues({ __proto__: null, end: -1 }, { __proto__: null }, { ranges: [[-1, -1], [1, 127]] }) },
 });
 
-function readReadRegistersRequest(b, o) {
+const readReadRegistersRequest = (b, o, end) => {
+  if (end - o !== 4) throw wrongSize("read_registers_request", 4, 4, end - o, o);
   return {
     address: ((b[o] << 8) | b[o + 1]),
     wordCount: ((b[o + 2] << 8) | b[o + 3]),
   };
-}
-function writeReadRegistersRequest(value, b, o) {
+};
+const writeReadRegistersRequest = (value, b, o) => {
   const address_ = value.address;
-  if (!((address_ & 65535) === address_)) throw refusedNumber("address", address_, "0..65535");
+  if (!(address_ === (address_ & 65535))) throw refusedNumber("address", address_, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
   const wordCount_ = value.wordCount;
-  if (!((wordCount_ & 65535) === wordCount_ && wordCount_ >= 1 && wordCount_ <= 60)) throw refusedNumber("word_count", wordCount_, "1..60");
+  if (!(wordCount_ === (wordCount_ & 65535) && wordCount_ >= 1 && wordCount_ <= 60)) throw refusedNumber("word_count", wordCount_, "1..60");
   b[o + 3] = wordCount_;
   b[o + 2] = wordCount_ >>> 8;
-}
-function checkReadRegistersRequest(b, o, end) {
-  checkSize("read_registers_request", 4, 4, o, end);
-  return readReadRegistersRequest(b, o, end);
-}
+};
 export const ReadRegistersRequest = /* @__PURE__ */ record({
   name: "read_registers_request",
   least: 4,
   most: 4,
-  read: checkReadRegistersRequest,
+  read: readReadRegistersRequest,
   write: writeReadRegistersRequest,
   size: null,
   keys: { __proto__: null, address: 0, wordCount: 0 },
@@ -365,42 +356,38 @@ export const ReadRegistersRequest = /* @__PURE__ */ record({
   absent: { wordCount: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 60]] }) },
 });
 
-function readReadRegistersResponse(b, o, end) {
+const readReadRegistersResponse = (b, o, end) => {
+  if (end - o < 3 || end - o > 121) throw wrongSize("read_registers_response", 3, 121, end - o, o);
+  if ((end - o - 1) % 2) throw brokenList("values", end - o - 1, end);
   const values_ = [];
   for (let at = o + 1, left = Math.floor((end - (o + 1)) / 2); left > 0; left--, at += 2) {
     values_.push(((b[at] << 8) | b[at + 1]));
   }
+  if (b[o] !== (end - o - 1)) throw wrongNumber("wrong_measure", "byte_count", b[o], `but there are ${(end - o - 1)}`, o);
   return {
     values: values_,
   };
-}
-function writeReadRegistersResponse(value, b, o) {
+};
+const writeReadRegistersResponse = (value, b, o) => {
   checkList("values", value.values, 1, 60);
   for (let at = o + 1, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
-    if (!((item & 65535) === item)) throw refusedNumber("values", item, "0..65535");
+    if (!(item === (item & 65535))) throw refusedNumber("values", item, "0..65535");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
   const byteCount_ = value.values.length * 2;
-  if (!((byteCount_ & 255) === byteCount_ && byteCount_ >= 2 && byteCount_ <= 120)) throw refusedNumber("byte_count", byteCount_, "2..120");
+  if (!(byteCount_ === (byteCount_ & 255) && byteCount_ >= 2 && byteCount_ <= 120)) throw refusedNumber("byte_count", byteCount_, "2..120");
   b[o] = byteCount_;
-}
-function sizeReadRegistersResponse(value) {
+};
+const sizeReadRegistersResponse = (value) => {
   return 1 + listLength(value, "values", 60) * 2;
-}
-function checkReadRegistersResponse(b, o, end) {
-  checkSize("read_registers_response", 3, 121, o, end);
-  if ((end - o - 1) % 2) throw brokenList("values", end - o - 1, end);
-  const value = readReadRegistersResponse(b, o, end);
-  if (b[o] !== (end - o - 1)) throw wrongNumber("wrong_measure", "byte_count", b[o], `but there are ${(end - o - 1)}`, o);
-  return value;
-}
+};
 export const ReadRegistersResponse = /* @__PURE__ */ record({
   name: "read_registers_response",
   least: 3,
   most: 121,
-  read: checkReadRegistersResponse,
+  read: readReadRegistersResponse,
   write: writeReadRegistersResponse,
   size: sizeReadRegistersResponse,
   keys: { __proto__: null, values: 0 },
@@ -409,62 +396,56 @@ export const ReadRegistersResponse = /* @__PURE__ */ record({
 
 export const ReadRegisters = /* @__PURE__ */ message("read_registers", 0x03, ReadRegistersRequest, ReadRegistersResponse);
 
-function readWriteRegisterRequest(b, o) {
+const readWriteRegisterRequest = (b, o, end) => {
+  if (end - o !== 4) throw wrongSize("write_register_request", 4, 4, end - o, o);
   return {
     address: ((b[o] << 8) | b[o + 1]),
     value: ((b[o + 2] << 8) | b[o + 3]),
   };
-}
-function writeWriteRegisterRequest(value, b, o) {
+};
+const writeWriteRegisterRequest = (value, b, o) => {
   const address_ = value.address;
-  if (!((address_ & 65535) === address_)) throw refusedNumber("address", address_, "0..65535");
+  if (!(address_ === (address_ & 65535))) throw refusedNumber("address", address_, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
   const value_ = value.value;
-  if (!((value_ & 65535) === value_)) throw refusedNumber("value", value_, "0..65535");
+  if (!(value_ === (value_ & 65535))) throw refusedNumber("value", value_, "0..65535");
   b[o + 3] = value_;
   b[o + 2] = value_ >>> 8;
-}
-function checkWriteRegisterRequest(b, o, end) {
-  checkSize("write_register_request", 4, 4, o, end);
-  return readWriteRegisterRequest(b, o, end);
-}
+};
 export const WriteRegisterRequest = /* @__PURE__ */ record({
   name: "write_register_request",
   least: 4,
   most: 4,
-  read: checkWriteRegisterRequest,
+  read: readWriteRegisterRequest,
   write: writeWriteRegisterRequest,
   size: null,
   keys: { __proto__: null, address: 0, value: 0 },
   units: {},
 });
 
-function readWriteRegisterResponse(b, o) {
+const readWriteRegisterResponse = (b, o, end) => {
+  if (end - o !== 4) throw wrongSize("write_register_response", 4, 4, end - o, o);
   return {
     address: ((b[o] << 8) | b[o + 1]),
     value: ((b[o + 2] << 8) | b[o + 3]),
   };
-}
-function writeWriteRegisterResponse(value, b, o) {
+};
+const writeWriteRegisterResponse = (value, b, o) => {
   const address_ = value.address;
-  if (!((address_ & 65535) === address_)) throw refusedNumber("address", address_, "0..65535");
+  if (!(address_ === (address_ & 65535))) throw refusedNumber("address", address_, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
   const value_ = value.value;
-  if (!((value_ & 65535) === value_)) throw refusedNumber("value", value_, "0..65535");
+  if (!(value_ === (value_ & 65535))) throw refusedNumber("value", value_, "0..65535");
   b[o + 3] = value_;
   b[o + 2] = value_ >>> 8;
-}
-function checkWriteRegisterResponse(b, o, end) {
-  checkSize("write_register_response", 4, 4, o, end);
-  return readWriteRegisterResponse(b, o, end);
-}
+};
 export const WriteRegisterResponse = /* @__PURE__ */ record({
   name: "write_register_response",
   least: 4,
   most: 4,
-  read: checkWriteRegisterResponse,
+  read: readWriteRegisterResponse,
   write: writeWriteRegisterResponse,
   size: null,
   keys: { __proto__: null, address: 0, value: 0 },
@@ -473,84 +454,78 @@ export const WriteRegisterResponse = /* @__PURE__ */ record({
 
 export const WriteRegister = /* @__PURE__ */ message("write_register", 0x06, WriteRegisterRequest, WriteRegisterResponse);
 
-function readWriteRegistersRequest(b, o, end) {
+const readWriteRegistersRequest = (b, o, end) => {
+  o &= 0x7fffffff;
+  if (end - o < 7 || end - o > 123) throw wrongSize("write_registers_request", 7, 123, end - o, o);
+  if ((end - o - 5) % 2) throw brokenList("values", end - o - 5, end);
   const values_ = [];
   for (let at = o + 5, left = Math.floor((end - (o + 5)) / 2); left > 0; left--, at += 2) {
     values_.push(((b[at] << 8) | b[at + 1]));
   }
+  if (((b[o + 2] << 8) | b[o + 3]) !== (end - o - 5) / 2) throw wrongNumber("wrong_measure", "word_count", ((b[o + 2] << 8) | b[o + 3]), `but there are ${(end - o - 5) / 2}`, o + 2);
+  if (b[o + 4] !== (end - o - 5)) throw wrongNumber("wrong_measure", "byte_count", b[o + 4], `but there are ${(end - o - 5)}`, o + 4);
   return {
     address: ((b[o] << 8) | b[o + 1]),
     values: values_,
   };
-}
-function writeWriteRegistersRequest(value, b, o) {
+};
+const writeWriteRegistersRequest = (value, b, o) => {
   o &= 0x7fffffff;
   const address_ = value.address;
-  if (!((address_ & 65535) === address_)) throw refusedNumber("address", address_, "0..65535");
+  if (!(address_ === (address_ & 65535))) throw refusedNumber("address", address_, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
   checkList("values", value.values, 1, 59);
   for (let at = o + 5, index = 0; index < value.values.length; index++, at += 2) {
     const item = value.values[index];
-    if (!((item & 65535) === item)) throw refusedNumber("values", item, "0..65535");
+    if (!(item === (item & 65535))) throw refusedNumber("values", item, "0..65535");
     b[at + 1] = item;
     b[at] = item >>> 8;
   }
   const wordCount_ = value.values.length;
-  if (!((wordCount_ & 65535) === wordCount_ && wordCount_ >= 1 && wordCount_ <= 59)) throw refusedNumber("word_count", wordCount_, "1..59");
+  if (!(wordCount_ === (wordCount_ & 65535) && wordCount_ >= 1 && wordCount_ <= 59)) throw refusedNumber("word_count", wordCount_, "1..59");
   b[o + 3] = wordCount_;
   b[o + 2] = wordCount_ >>> 8;
   const byteCount_ = value.values.length * 2;
-  if (!((byteCount_ & 255) === byteCount_ && byteCount_ >= 2 && byteCount_ <= 118)) throw refusedNumber("byte_count", byteCount_, "2..118");
+  if (!(byteCount_ === (byteCount_ & 255) && byteCount_ >= 2 && byteCount_ <= 118)) throw refusedNumber("byte_count", byteCount_, "2..118");
   b[o + 4] = byteCount_;
-}
-function sizeWriteRegistersRequest(value) {
+};
+const sizeWriteRegistersRequest = (value) => {
   return 5 + listLength(value, "values", 59) * 2;
-}
-function checkWriteRegistersRequest(b, o, end) {
-  checkSize("write_registers_request", 7, 123, o, end);
-  if ((end - o - 5) % 2) throw brokenList("values", end - o - 5, end);
-  const value = readWriteRegistersRequest(b, o, end);
-  if (((b[o + 2] << 8) | b[o + 3]) !== (end - o - 5) / 2) throw wrongNumber("wrong_measure", "word_count", ((b[o + 2] << 8) | b[o + 3]), `but there are ${(end - o - 5) / 2}`, o + 2);
-  if (b[o + 4] !== (end - o - 5)) throw wrongNumber("wrong_measure", "byte_count", b[o + 4], `but there are ${(end - o - 5)}`, o + 4);
-  return value;
-}
+};
 export const WriteRegistersRequest = /* @__PURE__ */ record({
   name: "write_registers_request",
   least: 7,
   most: 123,
-  read: checkWriteRegistersRequest,
+  read: readWriteRegistersRequest,
   write: writeWriteRegistersRequest,
   size: sizeWriteRegistersRequest,
   keys: { __proto__: null, address: 0, values: 0 },
   units: {},
 });
 
-function readWriteRegistersResponse(b, o) {
+const readWriteRegistersResponse = (b, o, end) => {
+  if (end - o !== 4) throw wrongSize("write_registers_response", 4, 4, end - o, o);
   return {
     address: ((b[o] << 8) | b[o + 1]),
     wordCount: ((b[o + 2] << 8) | b[o + 3]),
   };
-}
-function writeWriteRegistersResponse(value, b, o) {
+};
+const writeWriteRegistersResponse = (value, b, o) => {
   const address_ = value.address;
-  if (!((address_ & 65535) === address_)) throw refusedNumber("address", address_, "0..65535");
+  if (!(address_ === (address_ & 65535))) throw refusedNumber("address", address_, "0..65535");
   b[o + 1] = address_;
   b[o] = address_ >>> 8;
   const wordCount_ = value.wordCount;
-  if (!((wordCount_ & 65535) === wordCount_ && wordCount_ >= 1 && wordCount_ <= 59)) throw refusedNumber("word_count", wordCount_, "1..59");
+  if (!(wordCount_ === (wordCount_ & 65535) && wordCount_ >= 1 && wordCount_ <= 59)) throw refusedNumber("word_count", wordCount_, "1..59");
   b[o + 3] = wordCount_;
   b[o + 2] = wordCount_ >>> 8;
-}
-function checkWriteRegistersResponse(b, o, end) {
-  checkSize("write_registers_response", 4, 4, o, end);
-  return readWriteRegistersResponse(b, o, end);
-}
+};
 export const WriteRegistersResponse = /* @__PURE__ */ record({
   name: "write_registers_response",
   least: 4,
   most: 4,
-  read: checkWriteRegistersResponse,
+  read: readWriteRegistersResponse,
   write: writeWriteRegistersResponse,
   size: null,
   keys: { __proto__: null, address: 0, wordCount: 0 },
@@ -644,120 +619,118 @@ export const asciiRequestFramer = () => delimiterFramer({ ...framesOfAscii, part
 
 export const asciiResponseFramer = () => delimiterFramer({ ...framesOfAscii, parts: framesOfAscii.response, shortest: 11, longest: 251, address: { offset: 0, size: 1, order: "big", signed: false, unitSize: 1, base: 0 }, addresses: new Set([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]) });
 
-export const JOG_POSITIVE_INPUT = /* @__PURE__ */ register("jog_positive_input", 0x0601, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("jog_positive_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const JOG_NEGATIVE_INPUT = /* @__PURE__ */ register("jog_negative_input", 0x0602, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("jog_negative_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const MANUAL_MODE_INPUT = /* @__PURE__ */ register("manual_mode_input", 0x0603, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("manual_mode_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const TEACH_INPUT = /* @__PURE__ */ register("teach_input", 0x0604, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("teach_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const LOCK_INPUT = /* @__PURE__ */ register("lock_input", 0x0607, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("lock_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const POINT_SELECT_BIT_4_INPUT = /* @__PURE__ */ register("point_select_bit_4_input", 0x060E, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("point_select_bit_4_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const POINT_SELECT_BIT_5_INPUT = /* @__PURE__ */ register("point_select_bit_5_input", 0x060F, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("point_select_bit_5_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const POINT_SELECT_BIT_6_INPUT = /* @__PURE__ */ register("point_select_bit_6_input", 0x0610, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("point_select_bit_6_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const HOMING_SENSOR_INPUT = /* @__PURE__ */ register("homing_sensor_input", 0x0611, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("homing_sensor_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const BRAKE_INPUT = /* @__PURE__ */ register("brake_input", 0x0612, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("brake_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const FULL_COUNT_INPUT = /* @__PURE__ */ register("full_count_input", 0x0613, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("full_count_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const IN_POSITION_OUTPUT = /* @__PURE__ */ register("in_position_output", 0x0700, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("in_position_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const ALARM_OUTPUT = /* @__PURE__ */ register("alarm_output", 0x0701, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const READY_OUTPUT = /* @__PURE__ */ register("ready_output", 0x0702, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("ready_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const MOVING_OUTPUT = /* @__PURE__ */ register("moving_output", 0x0703, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("moving_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const SERVO_ON_OUTPUT = /* @__PURE__ */ register("servo_on_output", 0x0705, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("servo_on_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const POINT_SELECT_BIT_0_OUTPUT = /* @__PURE__ */ register("point_select_bit_0_output", 0x0706, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("point_select_bit_0_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const POINT_SELECT_BIT_1_OUTPUT = /* @__PURE__ */ register("point_select_bit_1_output", 0x0707, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("point_select_bit_1_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const POINT_SELECT_BIT_2_OUTPUT = /* @__PURE__ */ register("point_select_bit_2_output", 0x0708, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("point_select_bit_2_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const POINT_SELECT_BIT_3_OUTPUT = /* @__PURE__ */ register("point_select_bit_3_output", 0x0709, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("point_select_bit_3_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const POINT_SELECT_BIT_4_OUTPUT = /* @__PURE__ */ register("point_select_bit_4_output", 0x070A, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("point_select_bit_4_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const POINT_SELECT_BIT_5_OUTPUT = /* @__PURE__ */ register("point_select_bit_5_output", 0x070B, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("point_select_bit_5_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const POINT_SELECT_BIT_6_OUTPUT = /* @__PURE__ */ register("point_select_bit_6_output", 0x070C, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("point_select_bit_6_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const TORQUE_LIMIT_OUTPUT = /* @__PURE__ */ register("torque_limit_output", 0x070D, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("torque_limit_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const ERROR_BIT_0_OUTPUT = /* @__PURE__ */ register("error_bit_0_output", 0x070E, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("error_bit_0_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const ERROR_BIT_1_OUTPUT = /* @__PURE__ */ register("error_bit_1_output", 0x070F, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("error_bit_1_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const ERROR_BIT_2_OUTPUT = /* @__PURE__ */ register("error_bit_2_output", 0x0710, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("error_bit_2_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const ERROR_BIT_3_OUTPUT = /* @__PURE__ */ register("error_bit_3_output", 0x0711, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("error_bit_3_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const ZONE_OUTPUT = /* @__PURE__ */ register("zone_output", 0x0712, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("zone_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const NEAR_OUTPUT = /* @__PURE__ */ register("near_output", 0x0713, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("near_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const SOFT_LIMIT_OUTPUT = /* @__PURE__ */ register("soft_limit_output", 0x0714, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("soft_limit_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
-export const RELATIVE_DISTANCE = /* @__PURE__ */ register("relative_distance", 0x2000, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("relative_distance", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
-export const ABSOLUTE_POSITION = /* @__PURE__ */ register("absolute_position", 0x2002, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("absolute_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
-export const TORQUE_SEARCH_DIRECTION = /* @__PURE__ */ register("torque_search_direction", 0x2005, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "torque_search_direction", number, "which torque_search_direction does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("torque_search_direction", value, "torque_search_direction", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const PRESET_POSITION = /* @__PURE__ */ register("preset_position", 0x2006, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("preset_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
-export const SERVO = /* @__PURE__ */ register("servo", 0x2011, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "servo", number, "which servo_command does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("servo", value, "servo_command", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const MOTION_SPEED = /* @__PURE__ */ register("motion_speed", 0x2014, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 100)) throw refusedNumber("motion_speed", value, "0..100"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [0n], ranges: [[0n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null, start_speed: 0 }, { __proto__: null }, { ranges: [[0, 100]] }) });
-export const MOTION_COMMAND = /* @__PURE__ */ register("motion_command", 0x201E, 1, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && (value <= 4 || (value >= 6 && value <= 9) || (value >= 11 && value <= 12)))) throw refusedMember("motion_command", value, "motion_command", false); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
-export const SIMULATED_INPUTS = /* @__PURE__ */ register("simulated_inputs", 0x2040, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 16383)) throw refusedNumber("simulated_inputs", value, "0..16383"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 16383]] }) });
+export const JOG_POSITIVE_INPUT = /* @__PURE__ */ register("jog_positive_input", 0x0601, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("jog_positive_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const JOG_NEGATIVE_INPUT = /* @__PURE__ */ register("jog_negative_input", 0x0602, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("jog_negative_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const MANUAL_MODE_INPUT = /* @__PURE__ */ register("manual_mode_input", 0x0603, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("manual_mode_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const TEACH_INPUT = /* @__PURE__ */ register("teach_input", 0x0604, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("teach_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const LOCK_INPUT = /* @__PURE__ */ register("lock_input", 0x0607, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("lock_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const POINT_SELECT_BIT_4_INPUT = /* @__PURE__ */ register("point_select_bit_4_input", 0x060E, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("point_select_bit_4_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const POINT_SELECT_BIT_5_INPUT = /* @__PURE__ */ register("point_select_bit_5_input", 0x060F, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("point_select_bit_5_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const POINT_SELECT_BIT_6_INPUT = /* @__PURE__ */ register("point_select_bit_6_input", 0x0610, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("point_select_bit_6_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const HOMING_SENSOR_INPUT = /* @__PURE__ */ register("homing_sensor_input", 0x0611, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("homing_sensor_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const BRAKE_INPUT = /* @__PURE__ */ register("brake_input", 0x0612, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("brake_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const FULL_COUNT_INPUT = /* @__PURE__ */ register("full_count_input", 0x0613, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("full_count_input", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const IN_POSITION_OUTPUT = /* @__PURE__ */ register("in_position_output", 0x0700, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("in_position_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const ALARM_OUTPUT = /* @__PURE__ */ register("alarm_output", 0x0701, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("alarm_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const READY_OUTPUT = /* @__PURE__ */ register("ready_output", 0x0702, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("ready_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const MOVING_OUTPUT = /* @__PURE__ */ register("moving_output", 0x0703, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("moving_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const SERVO_ON_OUTPUT = /* @__PURE__ */ register("servo_on_output", 0x0705, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("servo_on_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const POINT_SELECT_BIT_0_OUTPUT = /* @__PURE__ */ register("point_select_bit_0_output", 0x0706, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("point_select_bit_0_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const POINT_SELECT_BIT_1_OUTPUT = /* @__PURE__ */ register("point_select_bit_1_output", 0x0707, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("point_select_bit_1_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const POINT_SELECT_BIT_2_OUTPUT = /* @__PURE__ */ register("point_select_bit_2_output", 0x0708, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("point_select_bit_2_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const POINT_SELECT_BIT_3_OUTPUT = /* @__PURE__ */ register("point_select_bit_3_output", 0x0709, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("point_select_bit_3_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const POINT_SELECT_BIT_4_OUTPUT = /* @__PURE__ */ register("point_select_bit_4_output", 0x070A, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("point_select_bit_4_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const POINT_SELECT_BIT_5_OUTPUT = /* @__PURE__ */ register("point_select_bit_5_output", 0x070B, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("point_select_bit_5_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const POINT_SELECT_BIT_6_OUTPUT = /* @__PURE__ */ register("point_select_bit_6_output", 0x070C, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("point_select_bit_6_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const TORQUE_LIMIT_OUTPUT = /* @__PURE__ */ register("torque_limit_output", 0x070D, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("torque_limit_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const ERROR_BIT_0_OUTPUT = /* @__PURE__ */ register("error_bit_0_output", 0x070E, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("error_bit_0_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const ERROR_BIT_1_OUTPUT = /* @__PURE__ */ register("error_bit_1_output", 0x070F, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("error_bit_1_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const ERROR_BIT_2_OUTPUT = /* @__PURE__ */ register("error_bit_2_output", 0x0710, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("error_bit_2_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const ERROR_BIT_3_OUTPUT = /* @__PURE__ */ register("error_bit_3_output", 0x0711, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("error_bit_3_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const ZONE_OUTPUT = /* @__PURE__ */ register("zone_output", 0x0712, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("zone_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const NEAR_OUTPUT = /* @__PURE__ */ register("near_output", 0x0713, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("near_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const SOFT_LIMIT_OUTPUT = /* @__PURE__ */ register("soft_limit_output", 0x0714, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("soft_limit_output", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, not_used: 0 }) });
+export const RELATIVE_DISTANCE = /* @__PURE__ */ register("relative_distance", 0x2000, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!(value === (value | 0))) throw refusedNumber("relative_distance", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
+export const ABSOLUTE_POSITION = /* @__PURE__ */ register("absolute_position", 0x2002, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!(value === (value | 0))) throw refusedNumber("absolute_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
+export const TORQUE_SEARCH_DIRECTION = /* @__PURE__ */ register("torque_search_direction", 0x2005, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "torque_search_direction", number, "which torque_search_direction does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("torque_search_direction", value, "torque_search_direction", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const PRESET_POSITION = /* @__PURE__ */ register("preset_position", 0x2006, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!(value === (value | 0))) throw refusedNumber("preset_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
+export const SERVO = /* @__PURE__ */ register("servo", 0x2011, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "servo", number, "which servo_command does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("servo", value, "servo_command", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const MOTION_SPEED = /* @__PURE__ */ register("motion_speed", 0x2014, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 100)) throw refusedNumber("motion_speed", value, "0..100"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [0n], ranges: [[0n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null, start_speed: 0 }, { __proto__: null }, { ranges: [[0, 100]] }) });
+export const MOTION_COMMAND = /* @__PURE__ */ register("motion_command", 0x201E, 1, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && (value <= 4 || (value >= 6 && value <= 9) || (value >= 11 && value <= 12)))) throw refusedMember("motion_command", value, "motion_command", false); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
+export const SIMULATED_INPUTS = /* @__PURE__ */ register("simulated_inputs", 0x2040, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 16383)) throw refusedNumber("simulated_inputs", value, "0..16383"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 16383]] }) });
 export const SIMULATED_INPUT = /* @__PURE__ */ registerArray(14, 1, 1, "simulated_input", 0x2041, 1, "rw", (b, o) => booleanOf("simulated_input", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("simulated_input", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
-export const PARAMETER_STORAGE = /* @__PURE__ */ register("parameter_storage", 0x9999, 1, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("parameter_storage", value, "parameter_storage", false); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
+export const PARAMETER_STORAGE = /* @__PURE__ */ register("parameter_storage", 0x9999, 1, "", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("parameter_storage", value, "parameter_storage", false); b[o + 1] = value; b[o] = value >>> 8; }, { trigger: true });
 export const WRITE_ENABLE_KEY = /* @__PURE__ */ register("write_enable_key", 0x999B, 4, "wo", (b, o) => ((BigInt((((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0)) << 32n) | BigInt((((b[o + 4] << 24) | (b[o + 5] << 16) | (b[o + 6] << 8) | b[o + 7]) >>> 0))), (value, b, o) => { if (value !== 5509644182563149415n) throw wrongNumber("wrong_const", "write_enable_key", value, "not 5509644182563149415", null); b[o + 7] = Number(value & 255n); b[o + 6] = Number((value >> 8n) & 255n); b[o + 5] = Number((value >> 16n) & 255n); b[o + 4] = Number((value >> 24n) & 255n); b[o + 3] = Number((value >> 32n) & 255n); b[o + 2] = Number((value >> 40n) & 255n); b[o + 1] = Number((value >> 48n) & 255n); b[o] = Number((value >> 56n) & 255n); }, { trigger: true });
-export const FULL_COUNT_LIMIT = /* @__PURE__ */ register("full_count_limit", 0x0108, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value && value >= 1 && value <= 100000)) throw refusedNumber("full_count_limit", value, "1..100000"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100000]] }) });
-export const IN_POSITION_ZONE = /* @__PURE__ */ register("in_position_zone", 0x010A, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 1000)) throw refusedNumber("in_position_zone", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
-export const ELECTRONIC_GEAR_NUMERATOR = /* @__PURE__ */ register("electronic_gear_numerator", 0x010B, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 10000)) throw refusedNumber("electronic_gear_numerator", value, "1..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 10000]] }) });
-export const ELECTRONIC_GEAR_DENOMINATOR = /* @__PURE__ */ register("electronic_gear_denominator", 0x010C, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 10000)) throw refusedNumber("electronic_gear_denominator", value, "1..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 10000]] }) });
-export const PULSE_ROTATION_DIRECTION = /* @__PURE__ */ register("pulse_rotation_direction", 0x0114, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "pulse_rotation_direction", number, "which rotation_direction does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("pulse_rotation_direction", value, "rotation_direction", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const PULSE_INPUT_FORM = /* @__PURE__ */ register("pulse_input_form", 0x0115, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 2)) throw wrongNumber("unknown_value", "pulse_input_form", number, "which pulse_input_form does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 2))) throw refusedMember("pulse_input_form", value, "pulse_input_form", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const NEAR_ZONE = /* @__PURE__ */ register("near_zone", 0x011D, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 10000)) throw refusedNumber("near_zone", value, "0..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 10000]] }) });
-export const PUSH_TORQUE_POSITIVE = /* @__PURE__ */ register("push_torque_positive", 0x0400, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 1000)) throw refusedNumber("push_torque_positive", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
-export const PUSH_TORQUE_NEGATIVE = /* @__PURE__ */ register("push_torque_negative", 0x0401, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 1000)) throw refusedNumber("push_torque_negative", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
-export const TORQUE_LIMIT_TIME = /* @__PURE__ */ register("torque_limit_time", 0x0402, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 10000)) throw refusedNumber("torque_limit_time", value, "0..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 10000]] }) });
+export const FULL_COUNT_LIMIT = /* @__PURE__ */ register("full_count_limit", 0x0108, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!(value === (value >>> 0) && value >= 1 && value <= 100000)) throw refusedNumber("full_count_limit", value, "1..100000"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100000]] }) });
+export const IN_POSITION_ZONE = /* @__PURE__ */ register("in_position_zone", 0x010A, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 1000)) throw refusedNumber("in_position_zone", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
+export const ELECTRONIC_GEAR_NUMERATOR = /* @__PURE__ */ register("electronic_gear_numerator", 0x010B, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 10000)) throw refusedNumber("electronic_gear_numerator", value, "1..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 10000]] }) });
+export const ELECTRONIC_GEAR_DENOMINATOR = /* @__PURE__ */ register("electronic_gear_denominator", 0x010C, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 10000)) throw refusedNumber("electronic_gear_denominator", value, "1..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 10000]] }) });
+export const PULSE_ROTATION_DIRECTION = /* @__PURE__ */ register("pulse_rotation_direction", 0x0114, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "pulse_rotation_direction", number, "which rotation_direction does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("pulse_rotation_direction", value, "rotation_direction", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const PULSE_INPUT_FORM = /* @__PURE__ */ register("pulse_input_form", 0x0115, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 2)) throw wrongNumber("unknown_value", "pulse_input_form", number, "which pulse_input_form does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 2))) throw refusedMember("pulse_input_form", value, "pulse_input_form", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const NEAR_ZONE = /* @__PURE__ */ register("near_zone", 0x011D, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 10000)) throw refusedNumber("near_zone", value, "0..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 10000]] }) });
+export const PUSH_TORQUE_POSITIVE = /* @__PURE__ */ register("push_torque_positive", 0x0400, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 1000)) throw refusedNumber("push_torque_positive", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
+export const PUSH_TORQUE_NEGATIVE = /* @__PURE__ */ register("push_torque_negative", 0x0401, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 1000)) throw refusedNumber("push_torque_negative", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
+export const TORQUE_LIMIT_TIME = /* @__PURE__ */ register("torque_limit_time", 0x0402, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 10000)) throw refusedNumber("torque_limit_time", value, "0..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 10000]] }) });
 export const POSITION_CORRECTION_SPEED_LIMIT_ENABLED = /* @__PURE__ */ register("position_correction_speed_limit_enabled", 0x0406, 1, "rw", (b, o) => booleanOf("position_correction_speed_limit_enabled", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("position_correction_speed_limit_enabled", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
-export const POSITION_CORRECTION_SPEED_LIMIT = /* @__PURE__ */ register("position_correction_speed_limit", 0x0407, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 10 && value <= 500)) throw refusedNumber("position_correction_speed_limit", value, "10..500"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "rpm", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[10n, 500n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[10, 500]] }) });
-export const MAXIMUM_TORQUE = /* @__PURE__ */ register("maximum_torque", 0x0500, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 650)) throw refusedNumber("maximum_torque", value, "0..650"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 650n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 650]] }) });
-export const FULL_TORQUE_TIME = /* @__PURE__ */ register("full_torque_time", 0x0501, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 500 && value <= 10000)) throw refusedNumber("full_torque_time", value, "500..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[500n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[500, 10000]] }) });
-export const CONTROL_MODE = /* @__PURE__ */ register("control_mode", 0x0503, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "control_mode", number, "which control_mode does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("control_mode", value, "control_mode", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const SERVO_AT_POWER_ON = /* @__PURE__ */ register("servo_at_power_on", 0x0515, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "servo_at_power_on", number, "which servo_command does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("servo_at_power_on", value, "servo_command", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const POSITION_CORRECTION_SPEED_LIMIT = /* @__PURE__ */ register("position_correction_speed_limit", 0x0407, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value >= 10 && value <= 500)) throw refusedNumber("position_correction_speed_limit", value, "10..500"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "rpm", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[10n, 500n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[10, 500]] }) });
+export const MAXIMUM_TORQUE = /* @__PURE__ */ register("maximum_torque", 0x0500, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 650)) throw refusedNumber("maximum_torque", value, "0..650"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 650n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 650]] }) });
+export const FULL_TORQUE_TIME = /* @__PURE__ */ register("full_torque_time", 0x0501, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value >= 500 && value <= 10000)) throw refusedNumber("full_torque_time", value, "500..10000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[500n, 10000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[500, 10000]] }) });
+export const CONTROL_MODE = /* @__PURE__ */ register("control_mode", 0x0503, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "control_mode", number, "which control_mode does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("control_mode", value, "control_mode", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const SERVO_AT_POWER_ON = /* @__PURE__ */ register("servo_at_power_on", 0x0515, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "servo_at_power_on", number, "which servo_command does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("servo_at_power_on", value, "servo_command", false); b[o + 1] = value; b[o] = value >>> 8; });
 export const HOMING_REQUIRED = /* @__PURE__ */ register("homing_required", 0x051B, 1, "rw", (b, o) => booleanOf("homing_required", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("homing_required", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
 export const TOTAL_REVOLUTIONS_ENABLED = /* @__PURE__ */ register("total_revolutions_enabled", 0x051E, 1, "rw", (b, o) => booleanOf("total_revolutions_enabled", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("total_revolutions_enabled", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
-export const START_SPEED = /* @__PURE__ */ register("start_speed", 0x0800, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("start_speed", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
-export const MAXIMUM_SPEED = /* @__PURE__ */ register("maximum_speed", 0x0802, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("maximum_speed", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
-export const ACCELERATION_TIME = /* @__PURE__ */ register("acceleration_time", 0x0804, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 30000)) throw refusedNumber("acceleration_time", value, "1..30000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 30000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 30000]] }) });
-export const DECELERATION_TIME = /* @__PURE__ */ register("deceleration_time", 0x0805, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 30000)) throw refusedNumber("deceleration_time", value, "1..30000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 30000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 30000]] }) });
-export const TORQUE_LIMIT_PRESS_DISTANCE = /* @__PURE__ */ register("torque_limit_press_distance", 0x0807, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("torque_limit_press_distance", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
-export const MOVING_STATE_RULE = /* @__PURE__ */ register("moving_state_rule", 0x080A, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "moving_state_rule", number, "which moving_state_rule does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("moving_state_rule", value, "moving_state_rule", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const JOG_SPEED = /* @__PURE__ */ register("jog_speed", 0x080F, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 1000)) throw refusedNumber("jog_speed", value, "1..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[1n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 1000]] }) });
-export const JOG_DISTANCE = /* @__PURE__ */ register("jog_distance", 0x0810, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!((value >>> 0) === value)) throw refusedNumber("jog_distance", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
-export const JOG_WAIT_TIME = /* @__PURE__ */ register("jog_wait_time", 0x0812, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 1000)) throw refusedNumber("jog_wait_time", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
-export const SOFT_LIMIT_POSITIVE = /* @__PURE__ */ register("soft_limit_positive", 0x0813, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("soft_limit_positive", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, no_limit: 0 }) });
-export const SOFT_LIMIT_NEGATIVE = /* @__PURE__ */ register("soft_limit_negative", 0x0815, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("soft_limit_negative", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, no_limit: 0 }) });
-export const HOMING_MODE = /* @__PURE__ */ register("homing_mode", 0x0900, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 7)) throw wrongNumber("unknown_value", "homing_mode", number, "which homing_mode does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 7))) throw refusedMember("homing_mode", value, "homing_mode", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const HOMING_SPEED = /* @__PURE__ */ register("homing_speed", 0x0901, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 100)) throw refusedNumber("homing_speed", value, "0..100"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [0n], ranges: [[0n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null, start_speed: 0 }, { __proto__: null }, { ranges: [[0, 100]] }) });
-export const HOMING_OFFSET = /* @__PURE__ */ register("homing_offset", 0x0902, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("homing_offset", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }) });
-export const HOMING_OFFSET_SPEED = /* @__PURE__ */ register("homing_offset_speed", 0x0904, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 100)) throw refusedNumber("homing_offset_speed", value, "0..100"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [0n], ranges: [[0n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null, start_speed: 0 }, { __proto__: null }, { ranges: [[0, 100]] }) });
-export const HOMING_POSITION = /* @__PURE__ */ register("homing_position", 0x0905, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("homing_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
-export const HOMING_TORQUE_LIMIT = /* @__PURE__ */ register("homing_torque_limit", 0x0907, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 1000)) throw refusedNumber("homing_torque_limit", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
-export const HOMING_Z_PHASE_OFFSET = /* @__PURE__ */ register("homing_z_phase_offset", 0x0908, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("homing_z_phase_offset", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }) });
-export const HOMING_TORQUE_LIMIT_TIME = /* @__PURE__ */ register("homing_torque_limit_time", 0x090A, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 1000)) throw refusedNumber("homing_torque_limit_time", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
-export const HOMING_Z_PHASE_SPEED_1 = /* @__PURE__ */ register("homing_z_phase_speed_1", 0x090B, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("homing_z_phase_speed_1", value, "1..100"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }) });
-export const HOMING_Z_PHASE_SPEED_2 = /* @__PURE__ */ register("homing_z_phase_speed_2", 0x090C, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value >= 1 && value <= 100)) throw refusedNumber("homing_z_phase_speed_2", value, "1..100"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }) });
-export const BAUD_RATE = /* @__PURE__ */ register("baud_rate", 0x0A00, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 4)) throw wrongNumber("unknown_value", "baud_rate", number, "which baud_rate does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 4))) throw refusedMember("baud_rate", value, "baud_rate", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const DATA_BITS = /* @__PURE__ */ register("data_bits", 0x0A01, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "data_bits", number, "which data_bits does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("data_bits", value, "data_bits", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const PARITY = /* @__PURE__ */ register("parity", 0x0A02, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 2)) throw wrongNumber("unknown_value", "parity", number, "which parity does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 2))) throw refusedMember("parity", value, "parity", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const START_SPEED = /* @__PURE__ */ register("start_speed", 0x0800, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!(value === (value >>> 0))) throw refusedNumber("start_speed", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
+export const MAXIMUM_SPEED = /* @__PURE__ */ register("maximum_speed", 0x0802, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!(value === (value >>> 0))) throw refusedNumber("maximum_speed", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pps", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
+export const ACCELERATION_TIME = /* @__PURE__ */ register("acceleration_time", 0x0804, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 30000)) throw refusedNumber("acceleration_time", value, "1..30000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 30000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 30000]] }) });
+export const DECELERATION_TIME = /* @__PURE__ */ register("deceleration_time", 0x0805, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 30000)) throw refusedNumber("deceleration_time", value, "1..30000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 30000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 30000]] }) });
+export const TORQUE_LIMIT_PRESS_DISTANCE = /* @__PURE__ */ register("torque_limit_press_distance", 0x0807, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!(value === (value >>> 0))) throw refusedNumber("torque_limit_press_distance", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
+export const MOVING_STATE_RULE = /* @__PURE__ */ register("moving_state_rule", 0x080A, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "moving_state_rule", number, "which moving_state_rule does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("moving_state_rule", value, "moving_state_rule", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const JOG_SPEED = /* @__PURE__ */ register("jog_speed", 0x080F, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 1000)) throw refusedNumber("jog_speed", value, "1..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[1n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 1000]] }) });
+export const JOG_DISTANCE = /* @__PURE__ */ register("jog_distance", 0x0810, 2, "rw", (b, o) => (((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]) >>> 0), (value, b, o) => { if (!(value === (value >>> 0))) throw refusedNumber("jog_distance", value, "0..4294967295"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 4294967295n]], wide: false }) });
+export const JOG_WAIT_TIME = /* @__PURE__ */ register("jog_wait_time", 0x0812, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 1000)) throw refusedNumber("jog_wait_time", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
+export const SOFT_LIMIT_POSITIVE = /* @__PURE__ */ register("soft_limit_positive", 0x0813, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!(value === (value | 0))) throw refusedNumber("soft_limit_positive", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, no_limit: 0 }) });
+export const SOFT_LIMIT_NEGATIVE = /* @__PURE__ */ register("soft_limit_negative", 0x0815, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!(value === (value | 0))) throw refusedNumber("soft_limit_negative", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, no_limit: 0 }) });
+export const HOMING_MODE = /* @__PURE__ */ register("homing_mode", 0x0900, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 7)) throw wrongNumber("unknown_value", "homing_mode", number, "which homing_mode does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 7))) throw refusedMember("homing_mode", value, "homing_mode", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const HOMING_SPEED = /* @__PURE__ */ register("homing_speed", 0x0901, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 100)) throw refusedNumber("homing_speed", value, "0..100"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [0n], ranges: [[0n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null, start_speed: 0 }, { __proto__: null }, { ranges: [[0, 100]] }) });
+export const HOMING_OFFSET = /* @__PURE__ */ register("homing_offset", 0x0902, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!(value === (value | 0))) throw refusedNumber("homing_offset", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }) });
+export const HOMING_OFFSET_SPEED = /* @__PURE__ */ register("homing_offset_speed", 0x0904, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 100)) throw refusedNumber("homing_offset_speed", value, "0..100"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [0n], ranges: [[0n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null, start_speed: 0 }, { __proto__: null }, { ranges: [[0, 100]] }) });
+export const HOMING_POSITION = /* @__PURE__ */ register("homing_position", 0x0905, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!(value === (value | 0))) throw refusedNumber("homing_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
+export const HOMING_TORQUE_LIMIT = /* @__PURE__ */ register("homing_torque_limit", 0x0907, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 1000)) throw refusedNumber("homing_torque_limit", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
+export const HOMING_Z_PHASE_OFFSET = /* @__PURE__ */ register("homing_z_phase_offset", 0x0908, 2, "rw", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!(value === (value | 0))) throw refusedNumber("homing_z_phase_offset", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; }, { units: /* @__PURE__ */ unit({ unit: "pulse", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-2147483648n, 2147483647n]], wide: false }) });
+export const HOMING_TORQUE_LIMIT_TIME = /* @__PURE__ */ register("homing_torque_limit_time", 0x090A, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 1000)) throw refusedNumber("homing_torque_limit_time", value, "0..1000"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "ms", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[0n, 1000n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1000]] }) });
+export const HOMING_Z_PHASE_SPEED_1 = /* @__PURE__ */ register("homing_z_phase_speed_1", 0x090B, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 100)) throw refusedNumber("homing_z_phase_speed_1", value, "1..100"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }) });
+export const HOMING_Z_PHASE_SPEED_2 = /* @__PURE__ */ register("homing_z_phase_speed_2", 0x090C, 1, "rw", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value >= 1 && value <= 100)) throw refusedNumber("homing_z_phase_speed_2", value, "1..100"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[1n, 100n]], wide: false }), absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[1, 100]] }) });
+export const BAUD_RATE = /* @__PURE__ */ register("baud_rate", 0x0A00, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 4)) throw wrongNumber("unknown_value", "baud_rate", number, "which baud_rate does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 4))) throw refusedMember("baud_rate", value, "baud_rate", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const DATA_BITS = /* @__PURE__ */ register("data_bits", 0x0A01, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "data_bits", number, "which data_bits does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("data_bits", value, "data_bits", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const PARITY = /* @__PURE__ */ register("parity", 0x0A02, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 2)) throw wrongNumber("unknown_value", "parity", number, "which parity does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 2))) throw refusedMember("parity", value, "parity", false); b[o + 1] = value; b[o] = value >>> 8; });
 export const BROADCAST_ENABLED = /* @__PURE__ */ register("broadcast_enabled", 0x0A03, 1, "rw", (b, o) => booleanOf("broadcast_enabled", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("broadcast_enabled", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
-export const PROTOCOL = /* @__PURE__ */ register("protocol", 0x0A04, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "protocol", number, "which protocol does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 1))) throw refusedMember("protocol", value, "protocol", false); b[o + 1] = value; b[o] = value >>> 8; });
-export const ACTION_STATUS = /* @__PURE__ */ register("action_status", 0x1000, 1, "ro", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 2)) throw wrongNumber("unknown_value", "action_status", number, "which action_status does not list", o); return number; }, (value, b, o) => { if (!((value & 65535) === value && (value <= 2))) throw refusedMember("action_status", value, "action_status", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const PROTOCOL = /* @__PURE__ */ register("protocol", 0x0A04, 1, "rw", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 1)) throw wrongNumber("unknown_value", "protocol", number, "which protocol does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 1))) throw refusedMember("protocol", value, "protocol", false); b[o + 1] = value; b[o] = value >>> 8; });
+export const ACTION_STATUS = /* @__PURE__ */ register("action_status", 0x1000, 1, "ro", (b, o) => { const number = ((b[o] << 8) | b[o + 1]); if (!(number <= 2)) throw wrongNumber("unknown_value", "action_status", number, "which action_status does not list", o); return number; }, (value, b, o) => { if (!(value === (value & 65535) && (value <= 2))) throw refusedMember("action_status", value, "action_status", false); b[o + 1] = value; b[o] = value >>> 8; });
 export const IN_POSITION = /* @__PURE__ */ register("in_position", 0x1001, 1, "ro", (b, o) => booleanOf("in_position", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("in_position", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
 export const TORQUE_LIMIT_REACHED = /* @__PURE__ */ register("torque_limit_reached", 0x1004, 1, "ro", (b, o) => booleanOf("torque_limit_reached", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("torque_limit_reached", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
-export const ALARM = /* @__PURE__ */ register("alarm", 0x1005, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const MOTOR_SPEED = /* @__PURE__ */ register("motor_speed", 0x1006, 1, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767)) throw refusedNumber("motor_speed", value, "-32768..32767"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "rpm", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-32768n, 32767n]], wide: false }) });
-export const MOTOR_CURRENT = /* @__PURE__ */ register("motor_current", 0x1007, 1, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767)) throw refusedNumber("motor_current", value, "-32768..32767"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[-32768n, 32767n]], wide: false }) });
-export const COMMAND_POSITION = /* @__PURE__ */ register("command_position", 0x1008, 2, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("command_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
-export const ENCODER_POSITION = /* @__PURE__ */ register("encoder_position", 0x100A, 2, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!((value | 0) === value)) throw refusedNumber("encoder_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
+export const ALARM = /* @__PURE__ */ register("alarm", 0x1005, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("alarm", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const MOTOR_SPEED = /* @__PURE__ */ register("motor_speed", 0x1006, 1, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!(value === (value | 0) && value >= -32768 && value <= 32767)) throw refusedNumber("motor_speed", value, "-32768..32767"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "rpm", factor: 1n, shift: 0n, divisor: 1n, absent: [], ranges: [[-32768n, 32767n]], wide: false }) });
+export const MOTOR_CURRENT = /* @__PURE__ */ register("motor_current", 0x1007, 1, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!(value === (value | 0) && value >= -32768 && value <= 32767)) throw refusedNumber("motor_current", value, "-32768..32767"); b[o + 1] = value; b[o] = value >>> 8; }, { units: /* @__PURE__ */ unit({ unit: "%", factor: 1n, shift: 0n, divisor: 10n, absent: [], ranges: [[-32768n, 32767n]], wide: false }) });
+export const COMMAND_POSITION = /* @__PURE__ */ register("command_position", 0x1008, 2, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!(value === (value | 0))) throw refusedNumber("command_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
+export const ENCODER_POSITION = /* @__PURE__ */ register("encoder_position", 0x100A, 2, "ro", (b, o) => ((b[o] << 24) | (b[o + 1] << 16) | (b[o + 2] << 8) | b[o + 3]), (value, b, o) => { if (!(value === (value | 0))) throw refusedNumber("encoder_position", value, "-2147483648..2147483647"); b[o + 3] = value; b[o + 2] = value >>> 8; b[o + 1] = value >>> 16; b[o] = value >>> 24; });
 export const SERVO_ON = /* @__PURE__ */ register("servo_on", 0x100C, 1, "ro", (b, o) => booleanOf("servo_on", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("servo_on", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
-export const FAULT = /* @__PURE__ */ register("fault", 0x100D, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("fault", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
-export const EXECUTED_POINT = /* @__PURE__ */ register("executed_point", 0x100E, 1, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!((value | 0) === value && value >= -32768 && value <= 32767 && value >= -1 && value <= 127)) throw refusedNumber("executed_point", value, "-1..127"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, none: -1 }, { __proto__: null }, { ranges: [[-1, 127]] }) });
-export const OUTPUT_STATES = /* @__PURE__ */ register("output_states", 0x1020, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 1023)) throw refusedNumber("output_states", value, "0..1023"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1023]] }) });
+export const FAULT = /* @__PURE__ */ register("fault", 0x100D, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("fault", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const EXECUTED_POINT = /* @__PURE__ */ register("executed_point", 0x100E, 1, "ro", (b, o) => (((b[o] << 8) | b[o + 1]) << 16) >> 16, (value, b, o) => { if (!(value === (value | 0) && value >= -32768 && value <= 32767 && value >= -1 && value <= 127)) throw refusedNumber("executed_point", value, "-1..127"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null, none: -1 }, { __proto__: null }, { ranges: [[-1, 127]] }) });
+export const OUTPUT_STATES = /* @__PURE__ */ register("output_states", 0x1020, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 1023)) throw refusedNumber("output_states", value, "0..1023"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 1023]] }) });
 export const OUTPUT_STATE = /* @__PURE__ */ registerArray(10, 1, 1, "output_state", 0x1021, 1, "ro", (b, o) => booleanOf("output_state", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("output_state", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
-export const INPUT_STATES = /* @__PURE__ */ register("input_states", 0x1040, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value && value <= 32767)) throw refusedNumber("input_states", value, "0..32767"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 32767]] }) });
+export const INPUT_STATES = /* @__PURE__ */ register("input_states", 0x1040, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535) && value <= 32767)) throw refusedNumber("input_states", value, "0..32767"); b[o + 1] = value; b[o] = value >>> 8; }, { absent: /* @__PURE__ */ absentValues({ __proto__: null }, { __proto__: null }, { ranges: [[0, 32767]] }) });
 export const INPUT_STATE = /* @__PURE__ */ registerArray(14, 1, 1, "input_state", 0x1041, 1, "ro", (b, o) => booleanOf("input_state", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("input_state", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
 export const Z_PHASE_STATE = /* @__PURE__ */ register("z_phase_state", 0x104F, 1, "ro", (b, o) => booleanOf("z_phase_state", ((b[o] << 8) | b[o + 1]), o), (value, b, o) => { const valueRaw = numberOf("z_phase_state", value); b[o + 1] = valueRaw; b[o] = valueRaw >>> 8; });
-export const ALARM_HISTORY = /* @__PURE__ */ registerArray(50, 1, 1, "alarm_history", 0x1060, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("alarm_history", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const ALARM_HISTORY = /* @__PURE__ */ registerArray(50, 1, 1, "alarm_history", 0x1060, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("alarm_history", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
 export const MOTOR_TYPE = /* @__PURE__ */ register("motor_type", 0x10D0, 16, "ro", (b, o) => textOf("motor_type", b, o, 32), (value, b, o) => { putText("motor_type", value, b, o, 32); });
 export const CONTROLLER_TYPE = /* @__PURE__ */ register("controller_type", 0x10E0, 16, "ro", (b, o) => textOf("controller_type", b, o, 32), (value, b, o) => { putText("controller_type", value, b, o, 32); });
-export const FIRMWARE_VERSION = /* @__PURE__ */ register("firmware_version", 0x10F0, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!((value & 65535) === value)) throw refusedNumber("firmware_version", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
+export const FIRMWARE_VERSION = /* @__PURE__ */ register("firmware_version", 0x10F0, 1, "ro", (b, o) => ((b[o] << 8) | b[o + 1]), (value, b, o) => { if (!(value === (value & 65535))) throw refusedNumber("firmware_version", value, "0..65535"); b[o + 1] = value; b[o] = value >>> 8; });
 export const POINTS = /* @__PURE__ */ table(127, 1, 16, "points", 0x9010, "", Point);
-const accesses = () => [
+const registersOn = () => registerFunctions([
   { message: ReadRegisters, space: "", operation: "read", start: "address", count: "wordCount", values: "values", most: 60, single: false },
   { message: WriteRegister, space: "", operation: "write", start: "address", count: "", values: "value", most: 1, single: true },
   { message: WriteRegisters, space: "", operation: "write", start: "address", count: "", values: "values", most: 59, single: false },
-];
-
-export const readRequests = (entry) => readRequestsOf(accesses(), entry);
-export const readValue = (entry, ...responses) => valueOf(accesses(), entry, responses, "big");
-
-export const writeRequests = (entry, value) => writeRequestsOf(accesses(), entry, value, "big");
+], "big");
+export const readRequests = (entry) => registersOn().readRequests(entry);
+export const readValue = (entry, ...responses) => registersOn().readValue(entry, ...responses);
+export const writeRequests = (entry, value) => registersOn().writeRequests(entry, value);

@@ -70,10 +70,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     addresses = link.link.unit_addresses
     frames = f"framesOf{pascal}"
     code = [f"const {frames} = /* @__PURE__ */ frames({{"]
-    code += [
-        f"  name: {literal(link.name)},",
-        f"  hex: {'true' if link.link.transmission == 'hex_ascii' else 'false'},",
-    ]
+    code += [f"  name: {literal(link.name)},", f"  hex: {flag(link.link.transmission == 'hex_ascii')},"]
     for direction in ("request", "response"):
         frame = link.frame(direction)
         order = [frame.parts.index(part) for part in frame.checksums]
@@ -98,7 +95,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
         f"  unitAddresses: {'null' if addresses is None else f'{{ ranges: {ranges}, broadcast: {broadcast} }}'},"
     )
     code += ["});", ""]
-    flag = "null" if exception is None else _exception(link, exception, names)
+    refusal = "null" if exception is None else _exception(link, exception, names)
     carried_names = ", ".join(names.messages[message.name] for message in carried)
     unanswered = [names.messages[m.name] for m in carried if m.name not in link.carried("response")]
     subcodes = _subcodes(link, names)
@@ -106,7 +103,7 @@ def declare_link(link: LinkLayout, names: Names) -> Declaration:
     options = f", [{', '.join(unanswered)}]" if unanswered or subcodes or barred else ""
     options += f", {subcodes or '{}'}" if subcodes or barred else ""
     options += f", [{', '.join(barred)}]" if barred else ""
-    code += [f"export const {name} = /* @__PURE__ */ link({frames}, [{carried_names}], {flag}{options});", ""]
+    code += [f"export const {name} = /* @__PURE__ */ link({frames}, [{carried_names}], {refusal}{options});", ""]
     headers = {direction: _header_type(link.frame(direction)) for direction in ("request", "response")}
     record = names.records[exception.record] if exception is not None else "never"
     messages = " | ".join(f"typeof {names.messages[message.name]}" for message in carried) or "never"

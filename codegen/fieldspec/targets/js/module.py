@@ -16,60 +16,12 @@ from fieldspec.targets.fact_texts import sentence
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.enums import declare_enum, declare_flags
 from fieldspec.targets.js.links import declare_link, declare_message
+from fieldspec.targets.js.naming import IMPORTS
 from fieldspec.targets.js.parameters import declare_parameters
 from fieldspec.targets.js.records import declare_record
 from fieldspec.targets.js.registers import declare_accesses, declare_register, declare_table
 from fieldspec.targets.js.text import comment, literal
 from fieldspec.targets.js.units import declare_conversion
-
-IMPORTS = {
-    "absent": ("absentValues",),
-    "checksums": ("avoiding", "crc16", "crcOf", "fletcherOf", "followedBy", "lrc", "sum8", "swapping", "totalOf"),
-    "digits": (
-        "bcdOf",
-        "blankDigitsOf",
-        "codedNumberOf",
-        "digitsOf",
-        "putBcd",
-        "putBlankDigits",
-        "putCodedNumber",
-        "putDigits",
-    ),
-    "end_framer": ("endFramer",),
-    "error": ("brokenList", "refusedBits", "refusedMember", "refusedNumber", "wrongNumber"),
-    "escapes": ("adding", "canIdentifier", "cobs", "inserting", "replacing"),
-    "framer": ("addressIntervals", "codeFramer", "delimiterFramer", "escapeFramer", "lengthFramer"),
-    "link": ("frames", "link", "message"),
-    "parameter": ("parameter", "parameterSet", "parameters"),
-    "quantity": ("conversion", "powerUnit", "realUnit", "unit"),
-    "record": ("checkSize", "record"),
-    "register": ("readRequestsOf", "register", "registerArray", "table", "valueOf", "writeRequestsOf"),
-    "values": (
-        "bitsNumber",
-        "bitsOf",
-        "booleanOf",
-        "checkList",
-        "doubleBitsOf",
-        "doubleOf",
-        "encodedTextOf",
-        "floatOf",
-        "halfBitsOf",
-        "listLength",
-        "numberOf",
-        "putBytes",
-        "putEncodedText",
-        "putText",
-        "setBits",
-        "initialWord",
-        "signed48",
-        "textOf",
-        "within",
-    ),
-    "number_bits": ("halfOf", "magnitudeBits", "magnitudeOf"),
-    "lists": ("elementBytes", "elementsInImage", "elementsLength", "readAround", "sentOfImage"),
-    "widths": ("narrowedImage", "readImage"),
-}
-"""The helpers of the runtime by module."""
 
 _WORDS = re.compile(r'"(?:[^"\\]|\\.)*"|[A-Za-z_$][\w$]*')
 
@@ -146,7 +98,7 @@ def module_texts(
     imports = [
         f'import {{ {", ".join(names)} }} from "../runtime/{module}.js";'
         for module, known in IMPORTS.items()
-        if (names := [name for name in known if name in used])
+        if (names := [name for name in known.split() if name in used])
     ]
     lines = [*head, *imports, "", *(f"export const {name} = {literal(value)};" for name, value in constants), "", *code]
     types = [

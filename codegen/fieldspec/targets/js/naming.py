@@ -28,16 +28,29 @@ SHARED = _words(
 MODULE = _words(
     "DEVICE IDENTITY LATEST REGISTERS TABLES VERSION VERSIONS forFirmware readRequests readValue writeRequests"
 )
-# The locals and helpers of generated functions, so that no name of a spec hides one.
-HELPERS = _words(
-    "absentValues addressIntervals allowed bitsOf booleanOf doubleBitsOf doubleOf"
-    " adding brokenList canIdentifier cobs escapeFramer inserting replacing bytesOf checkList checkSize codeFramer"
-    " conversion delimiterFramer device endFramer"
-    " floatOf frame frames knownKeys lengthFramer link listLength message noMessage numberOf parameter"
-    " parameterSet putBytes putText record refusedBits refusedMember refusedNumber register registerArray"
-    " spans table textOf unit encodedTextOf narrowedImage putEncodedText readImage wordsOf wrongNumber"
-    " avoiding crc16 crcOf fletcherOf followedBy lrc sum8 swapping totalOf"
-)
+IMPORTS = {
+    "absent": "absentValues",
+    "checksums": "avoiding crc16 crcOf fletcherOf followedBy lrc sum8 swapping totalOf",
+    "digits": "bcdOf blankDigitsOf codedNumberOf digitsOf putBcd putBlankDigits putCodedNumber putDigits",
+    "end_framer": "endFramer",
+    "error": "brokenList refusedBits refusedMember refusedNumber wrongNumber wrongSize",
+    "escapes": "adding canIdentifier cobs inserting replacing",
+    "framer": "addressIntervals codeFramer delimiterFramer escapeFramer lengthFramer",
+    "link": "frames link message",
+    "parameter": "parameter parameterSet parameters",
+    "quantity": "conversion powerUnit realUnit unit",
+    "record": "record",
+    "register": "register registerArray registerFunctions table",
+    "values": "bitsNumber bitsOf booleanOf checkList doubleBitsOf doubleOf encodedTextOf floatOf halfBitsOf initialWord"
+    " listLength numberOf putBytes putEncodedText putText setBits signed48 textOf within",
+    "number_bits": "halfOf magnitudeBits magnitudeOf",
+    "lists": "elementBytes elementsInImage elementsLength readAround sentOfImage",
+    "widths": "narrowedImage readImage",
+}
+"""The helpers of the runtime that modules import, by the module of the runtime."""
+
+HELPERS = _words(" ".join(IMPORTS.values())) | {"chosen", "device", "frame", "registersOn"}
+"""The helpers, and the locals of generated functions, so that no name of a spec hides one."""
 
 
 class Scope:

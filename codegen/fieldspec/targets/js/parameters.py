@@ -14,7 +14,7 @@ from fieldspec.targets.js.members import members_of
 from fieldspec.targets.js.naming import property_scope
 from fieldspec.targets.js.text import PURE, comment, literal, object_of
 from fieldspec.targets.js.units import absent_of, unit_of
-from fieldspec.targets.js.values import Slot, sign_literal
+from fieldspec.targets.js.values import Slot, sign_literal, value_functions
 from fieldspec.targets.runtime_values import kind_of
 
 _ACCESS = {"ro": "read only", "rw": "read and write", "wo": "write only"}
@@ -129,10 +129,7 @@ def _subindex(row: Parameter, subindex: Subindex, names: Names) -> str:
 
 def _functions(name: str, value: Value, trigger: bool, names: Names) -> tuple[str, str]:
     """The functions that read and write a value in its own bytes."""
-    reading = _slot(name, value.as_answer(trigger), names).read("number", "o", 0)
-    body = f"{{ {' '.join(reading.lines)} return {reading.expression}; }}" if reading.lines else reading.expression
-    write = " ".join(_slot(name, value, names).write("value", "o", 0))
-    return f"(b, o) => {body}", f"(value, b, o) => {{ {write} }}"
+    return value_functions(_slot(name, value.as_answer(trigger), names), _slot(name, value, names))
 
 
 def _slot(name: str, value: Value, names: Names) -> Slot:

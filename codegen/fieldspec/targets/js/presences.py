@@ -1,4 +1,4 @@
-"""Whether an optional field is sent, and which element of a list is the last, as bits in an array of bytes say."""
+"""Checks of numbers in an array of bytes that say whether and how often fields are sent."""
 
 from __future__ import annotations
 
@@ -61,3 +61,17 @@ def end_check(field: FieldLayout, names: Names, items: str) -> list[str]:
         f"  if (({is_present(continuation.presence, number)}) !== (index < {items}.length)) {wrong}",
         "}",
     ]
+
+
+def bit_count_check(field: FieldLayout, names: Names, size: str, position: str) -> list[str]:
+    """The statement that refuses a number of bits in the bytes `b` which takes other than `size` bytes.
+
+    `size` and `position`, the place of the number or null, are expressions. Other fields have none.
+    """
+    if not field.bits_of:
+        return []
+    number = slot_of(field, names).number("o", field.offset)
+    takes = f"Math.ceil({number} / 8)"
+    detail = f"`which takes ${{{takes}}} bytes, but {field.bits_of} has ${{{size}}}`"
+    wrong = throw_wrong_number("wrong_measure", field.name, number, detail, position)
+    return [f"if ({takes} !== {size}) {wrong}"]

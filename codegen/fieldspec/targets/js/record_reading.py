@@ -6,77 +6,60 @@ from collections.abc import Callable
 
 from fieldspec.codec.layout.inner_lists import InnerList
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
-from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.members import Member, members_of, shapes_of, slot_of
 from fieldspec.targets.js.number_bytes import LONGEST, place, with_offset
-from fieldspec.targets.js.presences import bits_of, is_present, presence_check
-from fieldspec.targets.js.text import literal, plus
+from fieldspec.targets.js.presences import bit_count_check, bits_of, is_present, presence_check
+from fieldspec.targets.js.text import function, literal, plus
 from fieldspec.targets.js.values import throw_wrong_number
 
 CHOOSES_NOTHING = "which chooses nothing that may follow"
 
 
 def read_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
-    """The functions that read the layouts of a record, and the one that selects a layout where it has several."""
-    shapes = [(suffix, shape.image) for suffix, shape in shapes_of(record)]
-    lines = [line for suffix, shape in shapes for line in _read_fields(shape, f"read{name}{suffix}", names)]
-    return lines if record.selector is None else [*lines, *_select(record, name, names)]
-
-
-def checked_read(record: RecordLayout, name: str, names: Names) -> list[str]:
-    """The function of a record that looks at the size, reads the fields, and compares what measures other fields."""
-    image = record.image if record.inner_lists is not None else record
-    lines = [_size_check(record.name, image)]
-    if record.spans or record.inner_lists is not None:
-        measured = _measured_read(record.image, f"read{name}", names)
-        body = ["  " + line for line in (measured if record.spans else [*lines, *measured])]
-        reader = f"readImage(widths{name}" if record.spans else f"readAround(inner{name}"
-        lines = [f"return {reader}, image{name}, b, o, end);"]
-        return [
-            *(f"function image{name}(b, o, end) {{", *body, "}"),
-            *(f"function check{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"),
-        ]
+    """The function that reads a record from all of its bytes, or those that read its layouts if it has several."""
     if record.selector is not None:
-        lines.append(f"return select{name}(b, o, end);")
-    else:
-        lines += _measured_read(record, f"read{name}", names)
-    return [f"function check{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"]
-
-
-def _size_check(name: str, shape: RecordLayout) -> str:
-    """The statement that refuses data of a wrong size."""
-    limit = LONGEST if shape.most is None else min(shape.most, LONGEST)
-    return f"checkSize({literal(name)}, {shape.least}, {limit}, o, end);"
-
-
-def choices_of(record: RecordLayout, name: str) -> list[str]:
-    """The table from the values of a selector to the number of the layout that each chooses."""
-    shapes = shapes_of(record)
-    rows = [
-        f"{number}: {index}"
-        for number, shape in record.chosen.items()
-        for index, (_, other) in enumerate(shapes)
-        if other is shape
+        return [line for suffix, shape in shapes_of(record) for line in _reader(shape, f"read{name}{suffix}", names)]
+    if not record.spans and record.inner_lists is None:
+        return _reader(record, f"read{name}", names)
+    call = f"readImage(widths{name}" if record.spans else f"readAround(inner{name}"
+    return [
+        *_reader(record.image, f"image{name}", names),
+        *function(f"read{name}", "b, o, end", [f"return {call}, image{name}, b, o, end);"]),
     ]
-    return [f"const choices{name} = {{ __proto__: null, {', '.join(rows)} }};"]
 
 
-def _read_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
-    """The function that reads the fields in order, so that the first wrong one is reported."""
-    lines: list[str] = []
+def _reader(record: RecordLayout, name: str, names: Names) -> list[str]:
+    """The function that checks the size, reads the fields in order, and compares them with what they measure.
+
+    So the first wrong one is reported.
+    """
+    lines = [size_check(record)]
     properties: list[str] = []
+    last = record.fields[-1] if record.fields else None
+    if last is not None and last.count is None and last.size > 1:
+        rest = f"end - o - {last.offset}"
+        lines.append(f"if (({rest}) % {last.size}) throw brokenList({literal(last.name)}, {rest}, end);")
     for member in members_of(record):
         statements, expression = _read_member(record, member, names)
         lines += statements
         if member.key:
             properties.append(f"{member.key}: {expression},")
-    last = record.fields[-1] if record.fields else None
-    parameters = "b, o, end" if last is not None and last.count is None else "b, o"
-    if not lines and not properties:
-        return [f"function {name}() {{", "  return {};", "}"]
-    body = with_offset([*lines, "return {", *(f"  {row}" for row in properties), "};"])
-    return [f"function {name}({parameters}) {{", *(f"  {line}" for line in body), "}"]
+    lines += _measure_checks(record, names)
+    result = ["return {", *(f"  {row}" for row in properties), "};"] if properties else ["return {};"]
+    return function(name, "b, o, end", with_offset([*lines, *result]))
+
+
+def size_check(record: RecordLayout) -> str:
+    """The statement that refuses data of a wrong size."""
+    minimum, maximum = record.least, LONGEST if record.most is None else min(record.most, LONGEST)
+    tests = (
+        [f"end - o !== {minimum}"]
+        if minimum == maximum
+        else [f"end - o < {minimum}"] * (minimum > 0) + [f"end - o > {maximum}"]
+    )
+    test = " || ".join(tests)
+    return f"if ({test}) throw wrongSize({literal(record.name)}, {minimum}, {maximum}, end - o, o);"
 
 
 def _read_member(record: RecordLayout, member: Member, names: Names) -> tuple[list[str], str]:
@@ -163,9 +146,9 @@ def _element(record: RecordLayout, field: FieldLayout, name: str, names: Names, 
     """The expression of an element that is a record, with the bytes that it has where these differ."""
     assert field.record is not None
     if field.record.size is not None:
-        return f"read{name}(b, {start})"
+        return f"read{name}(b, {start}, {plus(start, field.size)})"
     size = f"elementBytes({_list_data(record, field, names)}.parts, b.subarray({start}, {plus(start, field.size)}))"
-    return f"check{name}(b, {start}, {start} + {size})"
+    return f"read{name}(b, {start}, {start} + {size})"
 
 
 def _list_data(record: RecordLayout, field: FieldLayout, names: Names) -> str:
@@ -173,13 +156,8 @@ def _list_data(record: RecordLayout, field: FieldLayout, names: Names) -> str:
     return f"inner{names.records[record.name]}.lists[{record.rooms_before(field)}]"
 
 
-def _measured_read(record: RecordLayout, reader: str, names: Names) -> list[str]:
-    """The statements that read the fields, and compare the sizes in them with the fields that they measure."""
-    lines = []
-    last = record.fields[-1] if record.fields else None
-    if last is not None and last.count is None and last.size > 1:
-        rest = f"end - o - {last.offset}"
-        lines.append(f"if (({rest}) % {last.size}) throw brokenList({literal(last.name)}, {rest}, end);")
+def _measure_checks(record: RecordLayout, names: Names) -> list[str]:
+    """The statements that compare the sizes in the fields with the fields that they measure."""
     checks = [line for field in record.fields for line in _measure_check(record, field, names)]
     for field in record.fields:
         if (room := record.room_of(field)) is None or not room.count:
@@ -187,9 +165,7 @@ def _measured_read(record: RecordLayout, reader: str, names: Names) -> list[str]
             decider = record.named(field.presence.by) if field.presence is not None else None
             position = place("o", decider.offset) if decider is not None else ""
             checks += presence_check(record, field, names, left, position)
-    if not checks:
-        return [*lines, f"return {reader}(b, o, end);"]
-    return [*lines, f"const value = {reader}(b, o, end);", *checks, "return value;"]
+    return checks
 
 
 def _measure_check(record: RecordLayout, field: FieldLayout, names: Names) -> list[str]:
@@ -227,19 +203,3 @@ def _count_number(record: RecordLayout, room: InnerList, names: Names) -> str:
     count = record.named(room.count)
     assert count is not None
     return slot_of(count, names).number("o", count.offset)
-
-
-def _select(record: RecordLayout, name: str, names: Names) -> list[str]:
-    """The function that chooses the layout of a record by the value of its selector."""
-    selector = record.selector
-    assert selector is not None
-    lines = [f"const number = {slot_of(selector, names).number('o', selector.offset)};"]
-    lines.append(f"switch (choices{name}[number]) {{")
-    for index, (suffix, shape) in enumerate(shapes_of(record)):
-        body = [_size_check(record.name, shape), *_measured_read(shape, f"read{name}{suffix}", names)]
-        lines += [f"  case {index}: {{", *(f"    {line}" for line in body), "  }"]
-    wrong = throw_wrong_number(
-        "unknown_value", selector.name, "number", literal(CHOOSES_NOTHING), place("o", selector.offset)
-    )
-    lines += ["  default:", f"    {wrong}", "}"]
-    return [*choices_of(record, name), f"function select{name}(b, o, end) {{", *(f"  {line}" for line in lines), "}"]

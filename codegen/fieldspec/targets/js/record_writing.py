@@ -7,30 +7,27 @@ from collections.abc import Mapping
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole
-from fieldspec.targets.js.bit_counts import bit_count_check
 from fieldspec.targets.js.declaration import Names
-from fieldspec.targets.js.inner_lists import list_length, write_lists
+from fieldspec.targets.js.images import list_length, write_lists, write_widths
 from fieldspec.targets.js.members import Member, members_of, shapes_of, slot_of
 from fieldspec.targets.js.number_bytes import place, with_offset
-from fieldspec.targets.js.presences import end_check, presence_check
-from fieldspec.targets.js.record_reading import CHOOSES_NOTHING, by_selector
-from fieldspec.targets.js.text import literal, plus
-from fieldspec.targets.js.values import throw_wrong_number
-from fieldspec.targets.js.widths import write_widths
+from fieldspec.targets.js.presences import bit_count_check, end_check, presence_check
+from fieldspec.targets.js.record_reading import by_selector
+from fieldspec.targets.js.text import function, literal, plus
 
 
 def write_functions(record: RecordLayout, name: str, names: Names) -> list[str]:
-    """The functions that write the layouts of a record and count their bytes, and those that select a layout."""
-    lines: list[str] = []
+    """The functions that write a record and count its bytes, for each layout if it has several."""
     if record.spans:
         return [*_write_fields(record, f"writeImage{name}", names), *write_widths(record, name)]
     if record.inner_lists is not None:
         return [*_write_fields(record, f"writeImage{name}", names), *write_lists(record, name, names)]
+    lines: list[str] = []
     for suffix, shape in shapes_of(record):
         lines += _write_fields(shape, f"write{name}{suffix}", names)
         if shape.size is None:
             lines += _count_bytes(shape, f"size{name}{suffix}")
-    return lines if record.selector is None else [*lines, *_select(record, name, names)]
+    return lines
 
 
 def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
@@ -65,9 +62,7 @@ def _write_fields(record: RecordLayout, name: str, names: Names) -> list[str]:
     for member in members:
         lines += presence_check(record, member.field, names, f"value.{member.key}.length", "null")
         lines += end_check(member.field, names, f"value.{member.key}")
-    if not lines:
-        return [f"function {name}() {{}}"]
-    return [f"function {name}(value, b, o) {{", *(f"  {line}" for line in with_offset(lines)), "}"]
+    return function(name, "value, b, o", with_offset(lines))
 
 
 def selector_number(selector: FieldLayout, keys: Mapping[str, str], names: Names) -> str:
@@ -149,28 +144,4 @@ def _count_bytes(record: RecordLayout, name: str) -> list[str]:
     assert repeat is not None
     length = list_length(member.key, repeat.high)
     size = length if field.size == 1 else f"{length} * {field.size}"
-    return [f"function {name}(value) {{", f"  return {field.offset} + {size};", "}"]
-
-
-def _select(record: RecordLayout, name: str, names: Names) -> list[str]:
-    """The functions that choose how to write a record, and how many bytes it has, by the value of its selector.
-
-    A selector that may not be sent is refused before all other fields, as in the other codecs.
-    """
-    selector = record.selector
-    assert selector is not None
-    key = next(member.key for member in members_of(record) if member.field.name == selector.name)
-    wrong = throw_wrong_number("unknown_value", selector.name, f"value.{key}", literal(CHOOSES_NOTHING), "null")
-    slot = slot_of(selector, names)
-    is_sendable = all(any(low <= number <= high for low, high in slot.sendable) for number in record.chosen)
-    refusals = [] if is_sendable else [f"  {line}" for line in slot.refusals(f"value.{key}")]
-    choose = [*refusals, f"  const index = choices{name}[value.{key}];", f"  if (index === undefined) {wrong}"]
-    writers = ", ".join(f"write{name}{suffix}" for suffix, _ in shapes_of(record))
-    lines = [f"function write{name}(value, b, o) {{", *choose, f"  return [{writers}][index](value, b, o);", "}"]
-    if record.size is None:
-        sizes = ", ".join(
-            f"size{name}{suffix}" if shape.size is None else f"() => {shape.size}"
-            for suffix, shape in shapes_of(record)
-        )
-        lines += [f"function size{name}(value) {{", *choose, f"  return [{sizes}][index](value);", "}"]
-    return lines
+    return function(name, "value", [f"return {field.offset} + {size};"])

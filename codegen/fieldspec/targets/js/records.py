@@ -10,13 +10,13 @@ from fieldspec.foundation.names import Name
 from fieldspec.language.model.value import Value
 from fieldspec.targets.fact_texts import cited, described, sentence
 from fieldspec.targets.js.declaration import Declaration, Names
-from fieldspec.targets.js.inner_lists import list_table
+from fieldspec.targets.js.images import list_table, width_table
 from fieldspec.targets.js.members import Member, members_of, most_bytes
-from fieldspec.targets.js.record_reading import checked_read, read_functions
+from fieldspec.targets.js.record_choices import choosing_functions
+from fieldspec.targets.js.record_reading import read_functions
 from fieldspec.targets.js.record_writing import write_functions
 from fieldspec.targets.js.text import comment, literal, object_of
 from fieldspec.targets.js.units import ABSENT_VALUES, POWER_UNIT, absent_of, power_unit_of, unit_of
-from fieldspec.targets.js.widths import width_table
 
 
 def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> Declaration:
@@ -29,12 +29,12 @@ def declare_record(record: RecordLayout, name: str, names: Names, head: str) -> 
         *list_table(record, name),
         *read_functions(record, name, names),
         *write_functions(record, name, names),
-        *checked_read(record, name, names),
+        *choosing_functions(record, name, names),
         f"export const {name} = /* @__PURE__ */ record({{",
         f"  name: {literal(record.name)},",
         f"  least: {record.least},",
         f"  most: {most_bytes(record)},",
-        f"  read: check{name},",
+        f"  read: read{name},",
         f"  write: write{name},",
         f"  size: {'null' if record.size is not None else f'size{name}'},",
         f"  keys: {{ __proto__: null{''.join(f', {member.key}: 0' for member in members)} }},",

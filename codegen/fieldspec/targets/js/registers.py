@@ -12,14 +12,13 @@ from fieldspec.codec.layout.record import RecordLayout, RegisterLayout
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.foundation.names import Name
 from fieldspec.language.model.address_space import BIT
-from fieldspec.language.model.device import Device
 from fieldspec.language.model.ranges import Ranges
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.js.declaration import Declaration, Names
 from fieldspec.targets.js.members import members_of
 from fieldspec.targets.js.text import comment, flag, literal, object_of
 from fieldspec.targets.js.units import POWER_UNIT, absent_of, power_unit_of, unit_of
-from fieldspec.targets.js.values import Slot
+from fieldspec.targets.js.values import Slot, value_functions
 
 
 def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
@@ -32,9 +31,6 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
     )
     answer = register.answer
     read = Slot(layout.name, answer, size, layout.order, layout.swapped, device)
-    reading = read.read("number", "o", 0)
-    body = f"{{ {' '.join(reading.lines)} return {reading.expression}; }}" if reading.lines else reading.expression
-    write = " ".join(request.write("value", "o", 0))
     properties = [
         f"{key}: true" for key, is_set in (("atomic", register.atomic), ("trigger", register.trigger)) if is_set
     ]
@@ -53,8 +49,7 @@ def declare_register(layout: RegisterLayout, names: Names) -> Declaration:
         f"0x{layout.address:04X}",
         str(layout.words),
         literal(register.access),
-        f"(b, o) => {body}",
-        f"(value, b, o) => {{ {write} }}",
+        *value_functions(read, request),
         *([f"{{ {', '.join(properties)} }}"] if properties else []),
     ]
     kinds = [names.type_of(answer), unit_type if units else "null"]
@@ -197,79 +192,56 @@ def _greatest_count(request: RecordLayout, count: str, repeat: Ranges | None) ->
     return min(bounds, default=1)
 
 
+_READ_TYPES = """\
+/** The requests that read a register, several where one cannot read all words. Throws CodecError. */
+export declare function readRequests(entry: Register<unknown, unknown, never>): (REQUESTS)[];
+/** The value of a register from the data of the responses, in order. Throws CodecError. */
+export declare function readValue<T>(
+  entry: Register<T, unknown, never>,
+  ...responses: readonly object[]
+): T;
+"""
+_WRITE_TYPES = """\
+/** The requests that write a register. Throws CodecError for a value that is out of range. */
+export declare function writeRequests<T>(
+  entry: Register<unknown, unknown, T>,
+  value: NoInfer<T>,
+): (REQUESTS)[];
+"""
+_LINK_DOC = (
+    "The functions for registers with the messages of a link; those without it have the messages of LINK. "
+    "Throws RangeError for a link that no message of registers has."
+)
+
+
 def declare_accesses(names: Names) -> Declaration:
     """The functions that make the requests for a register, and read its value from the responses."""
     rows = accesses(names)
-    device: Device = names.layout.device
-    order = json.dumps(device.byte_order or "big")
-    code: list[str] = []
+    links = list(dict.fromkeys(literal(name) for row in rows for name in row.links))
+    functions: dict[str, str] = {}
     types: list[str] = []
-    table = [_access_row(row, names) for row in rows]
-    if not rows:
+    if reads := _union(names, rows, "read"):
+        functions |= {"readRequests": "entry", "readValue": "entry, ...responses"}
+        types += _READ_TYPES.replace("REQUESTS", reads).split("\n")
+    if writes := _union(names, rows, "write"):
+        functions["writeRequests"] = "entry, value"
+        types += _WRITE_TYPES.replace("REQUESTS", writes).split("\n")
+    if not functions:
         return Declaration([], [])
-    reads = _union(names, rows, "read")
-    writes = _union(names, rows, "write")
-    links = list(dict.fromkeys(name for row in rows for name in row.links))
-    functions: dict[str, tuple[str, str]] = {}
-    if reads:
-        functions["readRequests"] = "(entry)", "readRequestsOf({accesses}, entry)"
-        functions["readValue"] = "(entry, ...responses)", f"valueOf({{accesses}}, entry, responses, {order})"
-        types += [
-            *comment(
-                ["The requests that read a register, several where one cannot read all words. Throws CodecError."]
-            ),
-            f"export declare function readRequests(entry: Register<unknown, unknown, never>): ({reads})[];",
-            *comment(["The value of a register from the data of the responses, in order. Throws CodecError."]),
-            "export declare function readValue<T>(",
-            "  entry: Register<T, unknown, never>,",
-            "  ...responses: readonly object[]",
-            "): T;",
-            "",
-        ]
-    if writes:
-        functions["writeRequests"] = "(entry, value)", f"writeRequestsOf({{accesses}}, entry, value, {order})"
-        types += [
-            *comment(["The requests that write a register. Throws CodecError for a value that is out of range."]),
-            "export declare function writeRequests<T>(",
-            "  entry: Register<unknown, unknown, T>,",
-            "  value: NoInfer<T>,",
-            f"): ({writes})[];",
-            "",
-        ]
-    if not links:
-        code += ["const accesses = () => [", *table, "];", ""]
-        for name, (parameters, body) in functions.items():
-            code += [f"export const {name} = {parameters} => {body.format(accesses='accesses()')};"]
-            code += [""] * (name != "readRequests")
-        return Declaration(code, types)
-    first_link = literal(links[0])
-    code += ["const accesses = (link) => [", *table, "].filter((access) => access.links.includes(link));", ""]
-    literals, names_text = ", ".join(map(literal, links)), ", ".join(links)
-    code += ["export const registersOn = (link) => {"]
-    code += [f"  if (![{literals}].includes(link)) {{"]
-    code += [f"    throw new RangeError(`there is no link ${{link}}; known are {names_text}`);", "  }"]
-    code += ["  return {"]
-    code += [
-        f"    {name}: {parameters} => {body.format(accesses='accesses(link)')},"
-        for name, (parameters, body) in functions.items()
-    ]
-    code += ["  };", "};", ""]
-    code += [
-        f"export const {name} = {parameters} => registersOn({first_link}).{name}{parameters};"
-        for name, (parameters, _) in functions.items()
-    ]
-    doc = (
-        f"The functions for registers with the messages of a link; those without it have the messages of {first_link}. "
-    )
-    doc += "Throws RangeError for a link that no message of registers has."
-    types += [
-        *comment([doc]),
-        f"export declare function registersOn(link: {' | '.join(map(literal, links))}): {{",
-        *(f"  {name}: typeof {name};" for name in functions),
-        "};",
+    order = literal(names.layout.device.byte_order or "big")
+    head, link = ("export const", f"link = {links[0]}") if links else ("const", "")
+    code = [
+        f"{head} registersOn = ({link}) => registerFunctions([",
+        *(_access_row(row, names) for row in rows),
+        f"], {order}{', link' if links else ''});",
+        *(f"export const {name} = ({own}) => registersOn().{name}({own});" for name, own in functions.items()),
         "",
     ]
-    return Declaration([*code, ""], types)
+    if links:
+        types += comment([_LINK_DOC.replace("LINK", links[0])])
+        types.append(f"export declare function registersOn(link: {' | '.join(links)}): {{")
+        types += [*(f"  {name}: typeof {name};" for name in functions), "};", ""]
+    return Declaration(code, types)
 
 
 def _access_row(row: Access, names: Names) -> str:

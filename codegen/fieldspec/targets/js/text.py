@@ -29,6 +29,11 @@ def flag(condition: bool) -> str:
     return "true" if condition else "false"
 
 
+def function(name: str, parameters: str, lines: Iterable[str]) -> list[str]:
+    """The function of a module. A constant is called faster than a declared function, which might be replaced."""
+    return [f"const {name} = ({parameters}) => {{", *(f"  {line}" for line in lines), "};"]
+
+
 def plus(expression: str, number: int) -> str:
     """The sum of an expression and a number."""
     return f"{expression} {'+' if number > 0 else '-'} {abs(number)}" if number else expression
@@ -69,8 +74,8 @@ def runs_of(bit: Bit) -> str:
     return f"[{', '.join(f'[{run.first}, {run.width}]' for run in bit.runs)}]"
 
 
-def integer_literal(number: int, wide: bool) -> str:
-    """The literal of an integer: a bigint where its type is `wide`, since other numbers of that size are inexact."""
+def integer_literal(number: float, wide: bool) -> str:
+    """The literal of a number: a bigint where its type is `wide`, since other numbers of that size are inexact."""
     return f"{number}n" if wide else str(number)
 
 
@@ -79,7 +84,7 @@ def code_literal(number: int, digits: int = 0) -> str:
     return (f"0x{number:0{digits}X}" if digits else str(number)) + "n" * (number > EXACT)
 
 
-def pairs_literal(intervals: Iterable[tuple[int, int]], wide: bool) -> str:
+def pairs_literal(intervals: Iterable[tuple[float, float]], wide: bool) -> str:
     """The first and the last number of each interval as an array of arrays."""
     pairs = (f"[{integer_literal(low, wide)}, {integer_literal(high, wide)}]" for low, high in intervals)
     return f"[{', '.join(pairs)}]"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from math import lcm
 
 from fieldspec.codec.layout.accepted import StatedNumbers, stated_numbers
 from fieldspec.foundation.exhaustive import assert_never
@@ -13,7 +14,7 @@ from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth,
 from fieldspec.language.model.enums import Bit
 from fieldspec.language.model.value import Conversion, Sentinel, Value
 from fieldspec.targets.js.declaration import Declaration, Names
-from fieldspec.targets.js.text import comment, flag, literal, runs_of
+from fieldspec.targets.js.text import PURE, comment, flag, literal, object_of, pairs_literal, runs_of
 from fieldspec.targets.runtime_values import is_wide
 
 POWER_UNIT = 'import("../runtime/index.js").PowerUnit'
@@ -46,31 +47,29 @@ def _count_unit(value: Value, wide: bool) -> str:
     if not (value.unit or value.scaled):
         return ""
     scale, offset = Fraction(value.scale), Fraction(value.offset)
-    divisor = scale.denominator * offset.denominator // _common(scale.denominator, offset.denominator)
+    divisor = lcm(scale.denominator, offset.denominator)
+    numbers = {"factor": f"{scale * divisor}n", "shift": f"{offset * divisor}n", "divisor": f"{divisor}n"}
+    return f"{PURE} unit({object_of({'unit': literal(value.unit)} | numbers | _limits(value, wide))})"
+
+
+def _limits(value: Value, wide: bool) -> dict[str, str]:
+    """The counts that stand for no quantity, those that may be written, and whether they are bigints."""
     ranges = value.writable_ranges
-    intervals = ranges.intervals if ranges is not None else ((value.type.low, value.type.high),)
-    rows = [
-        f"unit: {literal(value.unit)}",
-        f"factor: {scale * divisor}n",
-        f"shift: {offset * divisor}n",
-        f"divisor: {divisor}n",
-        f"absent: {_counts(value.special_intervals, 'n')}",
-        f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
-        f"wide: {flag(wide)}",
-    ]
-    return f"/* @__PURE__ */ unit({{ {', '.join(rows)} }})"
+    intervals = ranges.intervals if ranges is not None else ((value.low, value.high),)
+    absent = _counts(value.special_intervals, "n")
+    return {"absent": absent, "ranges": pairs_literal(intervals, True), "wide": flag(wide)}
 
 
 def _real_unit(value: Value) -> str:
     """The call that makes the `Unit` of a floating-point number that may stand for a state."""
     ranges = value.writable_ranges
-    rows = [
-        f"unit: {literal(value.unit)}",
-        f"absent: [{', '.join(_sentinel_number(value, sentinel) for sentinel in value.sentinels)}]",
-        f"ranges: {'null' if ranges is None else [list(interval) for interval in ranges.intervals]}",
-        f"size: {value.size}",
-    ]
-    return f"/* @__PURE__ */ realUnit({{ {', '.join(rows)} }})"
+    rows = {
+        "unit": literal(value.unit),
+        "absent": f"[{', '.join(_sentinel_number(value, sentinel) for sentinel in value.sentinels)}]",
+        "ranges": "null" if ranges is None else pairs_literal(ranges.intervals, False),
+        "size": str(value.size),
+    }
+    return f"{PURE} realUnit({object_of(rows)})"
 
 
 def absent_of(device: Device, value: Value, trigger: bool = False) -> str:
@@ -80,23 +79,22 @@ def absent_of(device: Device, value: Value, trigger: bool = False) -> str:
         return ""
     wide = is_wide(value.encoding)
     suffix = "n" if wide else ""
-    rows = [f"{s.name}: {_sentinel_number(value, s)}{suffix}" for s in value.sentinels]
-    lasts = [f"{s.name}: {s.last}{suffix}" for s in value.sentinels if s.last is not None]
-    tables = [f"{{ {', '.join(['__proto__: null', *rows])} }}"]
-    tables += [f"{{ {', '.join(['__proto__: null', *lasts])} }}"] if lasts or stated is not None else []
-    tables += [_stated(stated, suffix)] if stated is not None else []
-    return f"/* @__PURE__ */ absentValues({', '.join(tables)})"
+    rows = {s.name: f"{_sentinel_number(value, s)}{suffix}" for s in value.sentinels}
+    lasts = {s.name: f"{s.last}{suffix}" for s in value.sentinels if s.last is not None}
+    tables = [object_of({"__proto__": "null"} | rows)]
+    tables += [object_of({"__proto__": "null"} | lasts)] if lasts or stated is not None else []
+    tables += [_stated(stated, wide)] if stated is not None else []
+    return f"{PURE} absentValues({', '.join(tables)})"
 
 
-def _stated(stated: StatedNumbers, suffix: str) -> str:
+def _stated(stated: StatedNumbers, wide: bool) -> str:
     """The stated numbers without special values: `{ ranges: [[1, 10]], bits: [[0xen, [[0n, 10n]]]] }`"""
-    ranges = ", ".join(f"[{low}{suffix}, {high}{suffix}]" for low, high in stated.intervals)
-    images = ((bit, ", ".join(f"[{low}n, {high}n]" for low, high in bit.images)) for bit in stated.bits)
     bits = ", ".join(
-        f"[{bit.mask:#x}n, [{intervals}]{f', {runs_of(bit)}' if bit.pieces else ''}]" for bit, intervals in images
+        f"[{bit.mask:#x}n, {pairs_literal(bit.images, True)}{f', {runs_of(bit)}' * bool(bit.pieces)}]"
+        for bit in stated.bits
     )
-    parts = [*([f"ranges: [{ranges}]"] * bool(ranges)), *([f"bits: [{bits}]"] * bool(bits))]
-    return f"{{ {', '.join(parts)} }}"
+    ranges = {"ranges": pairs_literal(stated.intervals, wide)} if stated.intervals else {}
+    return object_of(ranges | ({"bits": f"[{bits}]"} if bits else {}))
 
 
 def _counts(intervals: Iterable[tuple[int, int]], suffix: str = "") -> str:
@@ -111,24 +109,13 @@ def _sentinel_number(value: Value, sentinel: Sentinel) -> str:
 
 def power_unit_of(value: Value, exponent: Value) -> str:
     """The call that makes the `PowerUnit` of a value, by the value with the exponent of its scale."""
-    ranges = value.writable_ranges
-    intervals = ranges.intervals if ranges is not None else ((value.low, value.high),)
     exponents = exponent.ranges.intervals if exponent.ranges is not None else ()
-    rows = [
-        f"unit: {literal(value.quantity_unit)}",
-        f"exponents: [{', '.join(f'[{low}, {high}]' for low, high in exponents)}]",
-        f"unknown: {_counts(exponent.special_intervals)}",
-        f"absent: {_counts(value.special_intervals, 'n')}",
-        f"ranges: [{', '.join(f'[{low}n, {high}n]' for low, high in intervals)}]",
-        f"wide: {flag(is_wide(value.encoding))}",
-    ]
-    return f"/* @__PURE__ */ powerUnit({{ {', '.join(rows)} }})"
-
-
-def _common(first: int, second: int) -> int:
-    while second:
-        first, second = second, first % second
-    return first
+    rows = {
+        "unit": literal(value.quantity_unit),
+        "exponents": pairs_literal(exponents, False),
+        "unknown": _counts(exponent.special_intervals),
+    }
+    return f"{PURE} powerUnit({object_of(rows | _limits(value, is_wide(value.encoding)))})"
 
 
 def declare_conversion(conversion: Conversion, names: Names) -> Declaration:
@@ -142,11 +129,9 @@ def declare_conversion(conversion: Conversion, names: Names) -> Declaration:
         low, high = max(low, min(r.low for r in known)), min(high, max(r.high for r in known))
     share = f"raw / {conversion.full_scale}"
     formula = f"reference * (1 - {share})" if conversion.complement else f"reference * {share}"
-    code = [
-        f"export const {name} = /* @__PURE__ */ conversion({{ full: {conversion.full_scale}n,"
-        f" complement: {'true' if conversion.complement else 'false'}, low: {low}n, high: {high}n }});",
-        "",
-    ]
+    bounds = {"full": f"{conversion.full_scale}n", "complement": flag(conversion.complement)}
+    row = object_of(bounds | {"low": f"{low}n", "high": f"{high}n"})
+    code = [f"export const {name} = {PURE} conversion({row});", ""]
     paragraphs = [f"{conversion.title or Name.of(conversion.name).title()} = {formula}.", conversion.doc]
     if conversion.references:
         paragraphs.append(f"Reference: {', '.join(conversion.references)}.")

@@ -216,11 +216,11 @@ class Slot:
         if whole.bits > 8 * BYTES_OF_OPERATOR:
             return f"Number.isInteger({number}) && {number} >= {low} && {number} <= {high}"
         if low == 0 and high & (high + 1) == 0 and whole.bits < 8 * BYTES_OF_OPERATOR:
-            return f"({number} & {high}) === {number}"
+            return f"{number} === ({number} & {high})"
         operator, widest = ("|", Whole(32, Sign.COMPLEMENT)) if whole.sign.is_signed else (">>>", Whole(32, Sign.NONE))
         lowest, highest = widest.bounds
         bounds = [f"{number} >= {low}"] * (low > lowest) + [f"{number} <= {high}"] * (high < highest)
-        return " && ".join([f"({number} {operator} 0) === {number}", *bounds])
+        return " && ".join([f"{number} === ({number} {operator} 0)", *bounds])
 
     def read(self, variable: str, base: str, offset: int) -> Reading:
         """How the value at `base` + `offset` is read into a variable."""
@@ -365,6 +365,13 @@ class Slot:
         else:
             data = whole_bits(Whole(8 * self.size, sign_of(self.value.encoding)), number).to_bytes(self.size, "big")
         return [f"{byte(base, offset + index)} = {value};" for index, value in zip(places, data, strict=True) if value]
+
+
+def value_functions(read: Slot, write: Slot) -> tuple[str, str]:
+    """The functions that read and write a value in its own bytes."""
+    reading = read.read("number", "o", 0)
+    body = f"{{ {' '.join(reading.lines)} return {reading.expression}; }}" if reading.lines else reading.expression
+    return f"(b, o) => {body}", f"(value, b, o) => {{ {' '.join(write.write('value', 'o', 0))} }}"
 
 
 def sign_literal(value: Value) -> str:

@@ -1,5 +1,6 @@
 import { CodecError, printed } from "./error.js";
 import { bitsOfWhole, wholeOfBits } from "./number_bits.js";
+import { checkExact } from "./values.js";
 
 /**
  * A numbered parameter. `read(bytes, start)` and `write(value, bytes, start)` are its generated functions for `size`
@@ -31,10 +32,7 @@ export function parameter(name, number, base, access, read, write, more) {
     },
     /** The value of exactly all of its bytes. Throws CodecError. */
     decode(bytes) {
-      if (bytes.length !== more.size) {
-        const reason = bytes.length < more.size ? "incomplete" : "wrong_length";
-        throw new CodecError(reason, `${name} has ${more.size} bytes, not ${bytes.length}`, Math.min(bytes.length, more.size));
-      }
+      checkExact(name, bytes, more.size);
       return read(bytes, 0);
     },
     /** The bytes of a value. Throws CodecError. */

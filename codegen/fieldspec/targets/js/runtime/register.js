@@ -1,4 +1,5 @@
 import { CodecError } from "./error.js";
+import { checkExact } from "./values.js";
 
 /**
  * A value in registers, `words` of them from `address` on: words of 16 bits, or bytes where the `unitSize` is 1. `read(bytes, start)` and `write(value, bytes, start)` are its
@@ -20,8 +21,7 @@ export function register(name, address, words, access, read, write, more = {}) {
     ...more,
     /** The value of exactly all of its bytes. Throws CodecError. */
     decode(bytes) {
-      if (bytes.length < size) throw new CodecError("incomplete", `${name} has ${size} bytes, not ${bytes.length}`, bytes.length);
-      if (bytes.length > size) throw new CodecError("wrong_length", `${name} has ${size} bytes, not ${bytes.length}`, size);
+      checkExact(name, bytes, size);
       return read(bytes, 0);
     },
     /** The bytes of a value. Throws CodecError. */
@@ -46,7 +46,7 @@ export function registerArray(count, first, stride, name, address, words, access
     length: count,
     /** The register with a number. Throws RangeError. */
     at(number) {
-      return element(name, registers, number - first, first);
+      return registers[indexOf(name, first, count, number)];
     },
     [Symbol.iterator]: () => registers[Symbol.iterator](),
   });
@@ -86,10 +86,7 @@ export function table(count, first, stride, name, address, access, record, more 
     /** The record with a number, as a register. Throws RangeError. */
     at(number) {
       located();
-      if (!Number.isInteger(number) || number < first || number >= first + count) {
-        throw new RangeError(`${name} has the numbers ${first}..${first + count - 1}, not ${number}`);
-      }
-      return make(number - first);
+      return make(indexOf(name, first, count, number));
     },
     /** The records of a device that has so many. Throws RangeError for more than there can be. */
     present(number) {
@@ -108,21 +105,21 @@ export function table(count, first, stride, name, address, access, record, more 
   });
 }
 
-function element(name, registers, index, first) {
-  const entry = registers[index];
-  if (entry === undefined) throw new RangeError(`${name} has the numbers ${first}..${first + registers.length - 1}, not ${index + first}`);
-  return entry;
+/** The index of an element with a number, the first of which is `first`. Throws RangeError. */
+function indexOf(name, first, count, number) {
+  if (Number.isInteger(number) && number >= first && number < first + count) return number - first;
+  throw new RangeError(`${name} has the numbers ${first}..${first + count - 1}, not ${number}`);
 }
 
 /** The words of bytes, in the byte order of a device; the bytes themselves where the `unitSize` is 1. */
-export function wordsOf(bytes, order, unitSize = 2) {
+function wordsOf(bytes, order, unitSize = 2) {
   if (unitSize === 1) return Array.from(bytes);
   const [high, low] = order === "big" ? [0, 1] : [1, 0];
   return Array.from({ length: bytes.length / 2 }, (_, word) => bytes[2 * word + high] * 256 + bytes[2 * word + low]);
 }
 
 /** The bytes of words, in the byte order of a device; of bytes where the `unitSize` is 1. */
-export function bytesOf(words, order, unitSize = 2) {
+function bytesOf(words, order, unitSize = 2) {
   if (unitSize === 1) return Uint8Array.from(words);
   const [high, low] = order === "big" ? [0, 1] : [1, 0];
   const bytes = new Uint8Array(2 * words.length);
@@ -141,14 +138,14 @@ function refuseOthers(entry) {
 }
 
 /** Throws CodecError for a register that can only be read, or only be written. */
-export function allowed(entry, operation) {
+function allowed(entry, operation) {
   refuseOthers(entry);
   if (operation === "write" && entry.access === "ro") throw new CodecError("read_only", `${entry.name} can only be read`);
   if (operation === "read" && entry.access === "wo") throw new CodecError("write_only", `${entry.name} can only be written`);
 }
 
 /** The error of registers that no message of the device reads or writes. */
-export function noMessage(entry, operation) {
+function noMessage(entry, operation) {
   return new CodecError("unknown_code", `no message can ${operation} ${entry.name}, ${entry.words} ${entry.unitSize === 2 ? "words" : "bytes"} in ${entry.space || "the device"}`);
 }
 
@@ -189,29 +186,40 @@ function requestOf(access, entry, at, count, words) {
   return { message: access.message, data };
 }
 
-/** The requests that read a register. Throws CodecError. */
-export function readRequestsOf(accesses, entry) {
-  allowed(entry, "read");
-  const access = accessOf(accesses, entry, "read", 0);
-  return [...spansOf(entry, access)].map(([at, count]) => requestOf(access, entry, at, count, null));
-}
-
-/** The requests that write a value to a register. Throws CodecError. */
-export function writeRequestsOf(accesses, entry, value, order) {
-  allowed(entry, "write");
-  const words = wordsOf(entry.encode(value), order, entry.unitSize);
-  const access = accessOf(accesses, entry, "write", words.length);
-  return [...spansOf(entry, access)].map(([at, count]) => requestOf(access, entry, at, count, words));
-}
-
-/** The value of a register from the data of responses. Throws CodecError. */
-export function valueOf(accesses, entry, responses, order) {
-  refuseOthers(entry);
-  const access = accessOf(accesses, entry, "read", 0);
-  const words = responses.flatMap((response) => {
-    const carried = response?.[access.values];
-    if (carried === undefined) throw new CodecError("missing_value", `${access.values} is missing: pass the data of the response that reads ${entry.name}`);
-    return wordsIn(access, entry, carried);
-  });
-  return entry.decode(bytesOf(words, order, entry.unitSize));
+/**
+ * The functions for registers of a device with some byte order, by `accesses`, its messages that read and write words: by those
+ * of a link, if links differ. Throws RangeError for a link without such messages.
+ */
+export function registerFunctions(accesses, order, link) {
+  const own = accesses.filter(({ links }) => links === undefined || links.includes(link));
+  if (own.length === 0) {
+    const known = [...new Set(accesses.flatMap(({ links }) => links))].join(", ");
+    throw new RangeError(`there is no link ${link}; known are ${known}`);
+  }
+  return {
+    /** The requests that read a register. Throws CodecError. */
+    readRequests(entry) {
+      allowed(entry, "read");
+      const access = accessOf(own, entry, "read", 0);
+      return [...spansOf(entry, access)].map(([at, count]) => requestOf(access, entry, at, count, null));
+    },
+    /** The value of a register from the data of responses. Throws CodecError. */
+    readValue(entry, ...responses) {
+      refuseOthers(entry);
+      const access = accessOf(own, entry, "read", 0);
+      const words = responses.flatMap((response) => {
+        const carried = response?.[access.values];
+        if (carried === undefined) throw new CodecError("missing_value", `${access.values} is missing: pass the data of the response that reads ${entry.name}`);
+        return wordsIn(access, entry, carried);
+      });
+      return entry.decode(bytesOf(words, order, entry.unitSize));
+    },
+    /** The requests that write a value to a register. Throws CodecError. */
+    writeRequests(entry, value) {
+      allowed(entry, "write");
+      const words = wordsOf(entry.encode(value), order, entry.unitSize);
+      const access = accessOf(own, entry, "write", words.length);
+      return [...spansOf(entry, access)].map(([at, count]) => requestOf(access, entry, at, count, words));
+    },
+  };
 }

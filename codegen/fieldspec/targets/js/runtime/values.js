@@ -1,5 +1,5 @@
 import { decodedText, textBytes, textFault } from "./encodings.js";
-import { CodecError, printed, refusedList } from "./error.js";
+import { CodecError, printed, refusedList, wrongType } from "./error.js";
 import { exceedsReal, realBits, realOfBits, wholeOfBits } from "./number_bits.js";
 
 /** The floating-point number of 32 bits, given as a whole number. */
@@ -31,10 +31,7 @@ export function doubleBitsOf(name, value, ranges, others) {
 }
 
 function checkedBits(name, value, ranges, others, size) {
-  if (typeof value !== "number") {
-    if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
-    throw new CodecError("wrong_type", `${name} is a number, not ${printed(value)}`);
-  }
+  if (typeof value !== "number") throw wrongType(name, value, "a number");
   if (ranges !== null && !within(ranges, value) && !others.some((other) => Object.is(other, value) || other === value)) {
     throw new CodecError("out_of_range", `${name} is ${value}, not in ${rangesText(ranges)}`);
   }
@@ -63,8 +60,7 @@ export function booleanOf(name, number, offset) {
 export function numberOf(name, value) {
   if (value === true) return 1;
   if (value === false) return 0;
-  if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
-  throw new CodecError("wrong_type", `${name} is a boolean, not ${printed(value)}`);
+  throw wrongType(name, value, "a boolean");
 }
 
 /** The text of bytes that zeros fill up. Throws CodecError for bytes that are not ASCII. */
@@ -81,10 +77,7 @@ export function textOf(name, bytes, offset, size) {
 
 /** Writes a text and fills it up with zeros. Throws CodecError for one that is too long, not ASCII, or has a zero. */
 export function putText(name, value, bytes, offset, size) {
-  if (typeof value !== "string") {
-    if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
-    throw new CodecError("wrong_type", `${name} is a text, not ${printed(value)}`);
-  }
+  if (typeof value !== "string") throw wrongType(name, value, "a text");
   if (value.length > size) throw new CodecError("wrong_length", `${name} has ${size} bytes, not ${value.length}`);
   for (let at = 0; at < size; at++) {
     const code = at < value.length ? value.charCodeAt(at) : 0;
@@ -103,21 +96,22 @@ export function encodedTextOf(name, bytes, offset, size, form) {
 
 /** Writes a text in a form of its own. Throws CodecError for one that the form does not have, or that is too long. */
 export function putEncodedText(name, value, bytes, offset, size, form) {
-  if (typeof value !== "string") {
-    if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
-    throw new CodecError("wrong_type", `${name} is a text, not ${printed(value)}`);
-  }
+  if (typeof value !== "string") throw wrongType(name, value, "a text");
   const fault = textFault(form, size, value);
   if (fault !== null) throw new CodecError(fault[0], `${name} ${fault[1]}`);
   bytes.set(textBytes(form, size, value, form.little), offset);
 }
 
+/** Throws CodecError unless there are exactly `size` bytes. */
+export function checkExact(name, bytes, size) {
+  if (bytes.length === size) return;
+  const reason = bytes.length < size ? "incomplete" : "wrong_length";
+  throw new CodecError(reason, `${name} has ${size} bytes, not ${bytes.length}`, Math.min(bytes.length, size));
+}
+
 /** Writes `size` bytes, or from the `least` on. Throws CodecError for a wrong number of them. */
 export function putBytes(name, value, bytes, offset, size, least = size) {
-  if (!(value instanceof Uint8Array)) {
-    if (value === undefined) throw new CodecError("missing_value", `${name} is missing`);
-    throw new CodecError("wrong_type", `${name} is a Uint8Array, not ${printed(value)}`);
-  }
+  if (!(value instanceof Uint8Array)) throw wrongType(name, value, "a Uint8Array");
   if (value.length < least || value.length > size) throw new CodecError("wrong_length", `${name} has ${size} bytes, not ${value.length}`);
   bytes.set(value, offset);
 }

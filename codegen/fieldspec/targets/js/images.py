@@ -1,4 +1,4 @@
-"""Records with fields after lists: their table, and the functions that write them through an image."""
+"""Records that are written through an image: those with fields after lists, and those whose values vary in width."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ import json
 
 from fieldspec.codec.layout.inner_list_data import inner_lists_data
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
+from fieldspec.codec.layout.widths import span_data
 from fieldspec.targets.js.declaration import Names
 from fieldspec.targets.js.members import members_of
-from fieldspec.targets.js.text import literal
+from fieldspec.targets.js.text import function, literal, object_of
 
 
 def list_length(key: str, highest_count: int) -> str:
@@ -21,13 +22,9 @@ def list_table(record: RecordLayout, name: str) -> list[str]:
     if record.inner_lists is None:
         return []
     data = inner_lists_data(record.inner_lists)
-    rows = (", ".join(f"{key}: {json.dumps(value)}" for key, value in row.items()) for row in data["lists"])
-    return [
-        f"const inner{name} = {{",
-        f"  fixed: {record.inner_lists.fixed},",
-        *("  lists: [", *(f"    {{ {row} }}," for row in rows), "  ],"),
-        "};",
-    ]
+    rows = (object_of({key: json.dumps(value) for key, value in row.items()}) for row in data["lists"])
+    lists = ["  lists: [", *(f"    {row}," for row in rows), "  ],"]
+    return [f"const inner{name} = {{", f"  fixed: {record.inner_lists.fixed},", *lists, "};"]
 
 
 def _decided_size(record: RecordLayout, field: FieldLayout, selector: FieldLayout) -> str:
@@ -43,7 +40,7 @@ def _decided_size(record: RecordLayout, field: FieldLayout, selector: FieldLayou
 
 
 def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
-    """The functions that write a value and count its bytes."""
+    """The functions that write a value with fields after lists and count its bytes."""
     assert record.inner_lists is not None
     lengths, sizes = [], []
     for member in members_of(record):
@@ -69,16 +66,29 @@ def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
     size = " + ".join([str(record.inner_lists.fixed), *sizes])
     if any(own.in_room or any(form.varies for form in own.forms.values()) for own in record.fields):
         size = f"sent{name}(value).length"
+    sent = f"sentOfImage(inner{name}, image, {lengths[-1]})"
+    return _image_writer(name, last.room + last.most, sent, size)
+
+
+def width_table(record: RecordLayout, name: str) -> list[str]:
+    """The fields of a record whose values vary in width; nothing for others."""
+    rows = (
+        f"  {object_of({key: json.dumps(value) for key, value in span_data(span).items()})}," for span in record.spans
+    )
+    return [f"const widths{name} = [", *rows, "];"] if record.spans else []
+
+
+def write_widths(record: RecordLayout, name: str) -> list[str]:
+    """The functions that write a value of varying width and count its bytes."""
+    sent = f"narrowedImage(widths{name}, image)"
+    return _image_writer(name, sum(span.size for span in record.spans), sent, f"sent{name}(value).length")
+
+
+def _image_writer(name: str, image_size: int, sent: str, size: str) -> list[str]:
+    """The functions that write a value by the bytes `sent` of its image, and count them."""
+    image = [f"const image = new Uint8Array({image_size});", f"writeImage{name}(value, image, 0);"]
     return [
-        f"function sent{name}(value) {{",
-        f"  const image = new Uint8Array({last.room + last.most});",
-        f"  writeImage{name}(value, image, 0);",
-        f"  return sentOfImage(inner{name}, image, {lengths[-1]});",
-        "}",
-        f"function size{name}(value) {{",
-        f"  return {size};",
-        "}",
-        f"function write{name}(value, b, o) {{",
-        f"  b.set(sent{name}(value), o);",
-        "}",
+        *function(f"sent{name}", "value", [*image, f"return {sent};"]),
+        *function(f"size{name}", "value", [f"return {size};"]),
+        *function(f"write{name}", "value, b, o", [f"b.set(sent{name}(value), o);"]),
     ]
