@@ -272,7 +272,7 @@ def _encoded_fields(record: RecordLayout, values: Mapping[str, Any], device: Dev
     for field in record.fields:
         measured = _measured(record, field, raw)
         if measured is not None:
-            raw[field.name] = _in_range(field.name, field.value, measured)
+            raw[field.name] = measured if field.counts_sent else _in_range(field.name, field.value, measured)
     _refuse_measure(wrong_list_bits(record, raw), None)
     return raw
 

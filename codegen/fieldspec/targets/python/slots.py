@@ -212,8 +212,9 @@ class Slots:
 
     @property
     def ranges(self) -> Ranges | None:
-        """The ranges for writing, where they are narrower than the type."""
-        ranges = self.field.value.writable_ranges if self.field.value is not None else None
+        """The ranges for writing, where they are narrower than the type; a number of sent bytes has none in an image."""
+        value = self.field.value
+        ranges = value.writable_ranges if value is not None and not self.field.counts_sent else None
         if ranges is None or is_real(self.value.encoding):
             return ranges
         full = ranges.intervals == (bounds_of(self.value.encoding),)
