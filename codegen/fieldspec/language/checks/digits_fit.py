@@ -184,7 +184,7 @@ def _of_part(part: Part, value: Value) -> Iterator[Diagnostic]:
         text = f"the part {part.name} is {value.type.name}, and the digits of a part have no sign"
         yield finding(_CODE, part.place, "type", text, "use an unsigned type")
     if part.bits is not None:
-        text = f"{part.name} is sent as digits, which the bits of an identifier are not"
+        text = f"{part.name} is sent as digits, which some bits of a number are not"
         yield finding(_CODE, part.place, "digits", text, "remove `digits` and `length`")
 
 

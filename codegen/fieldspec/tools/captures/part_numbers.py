@@ -13,16 +13,16 @@ from fieldspec.codec.layout.word_digits import has_word_digits
 from fieldspec.language.model.digits import digits_letters
 from fieldspec.language.model.encoding import sign_of
 from fieldspec.language.model.value import Value
-from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, gathered, number_at
+from fieldspec.tools.captures.columns import Bytes, Codes, Mask, Numbers, code_at, gathered, number_at
 
 
 def part_numbers(part: PartLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
     """The numbers of a part at some places, modulo 2^64; any where the bytes are not its digits."""
     assert part.value is not None
     if part.width:
-        whole = number_at(buffer, offsets, part.size, part.order).view(np.uint64)
-        mask = np.uint64((1 << part.width) - 1)
-        return (whole >> np.uint64(part.shift) & mask).view(np.int64)
+        whole = code_at(buffer, offsets, part.size, part.order)
+        own: Codes = whole >> np.uint64(part.shift) & np.uint64((1 << part.width) - 1)
+        return own.view(np.int64)
     if not part.form:
         return number_at(buffer, offsets, part.size, part.order, sign_of(part.value.encoding))
     return _number(part.value, part.size, buffer, offsets)
