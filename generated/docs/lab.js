@@ -1758,7 +1758,7 @@ function checksumOf(part, data) {
 
 function lengthNumber(part, length) {
   const units = (length - (part.base ?? 0)) / (part.unitSize ?? 1);
-  const [low, high] = typeBounds(part.value);
+  const [low, high] = part.width ? [0, 2 ** part.width - 1] : typeBounds(part.value);
   return Number.isInteger(units) && low <= units && units <= high ? units : undefined;
 }
 
@@ -1825,7 +1825,7 @@ function originalPlaces(escape, data) {
 
 class PartLayout {
   constructor(data) {
-    Object.assign(this, { unitSize: 1, base: 0, ...data, part: this });
+    Object.assign(this, { unitSize: 1, base: 0, shift: 0, ...data, part: this });
   }
 
   at(length) {
@@ -1848,7 +1848,14 @@ class PartLayout {
 
   read(bytes) {
     if (this.value.digits) return bytes.length === this.size ? digitsNumber(this.value, bytes) : undefined;
-    return wholeOf(bytes, this.order === "little" ? "little" : "big", this.value.signed);
+    const order = this.order === "little" ? "little" : "big";
+    return wholeOf(this.ownBytes(bytes), order, this.value.signed);
+  }
+
+  ownBytes(bytes) {
+    if (!this.width) return bytes;
+    const order = this.order === "little" ? "little" : "big";
+    return bytesOfNumber(BigInt.asUintN(this.width, unsignedOf(bytes, order) >> BigInt(this.shift)), bytes.length, order, false);
   }
 }
 
@@ -3958,9 +3965,9 @@ class FrameRowsFrame {
       return this._checked(part, raw);
     }
     if (part.reserved) {
-      return decodeValue(this.layout.device, part.value, raw, part.order, false, part.reserved);
+      return decodeValue(this.layout.device, part.value, part.ownBytes(raw), part.order, false, part.reserved);
     }
-    const read = decodeValue(this.layout.device, part.value, raw, part.order, false);
+    const read = decodeValue(this.layout.device, part.value, part.ownBytes(raw), part.order, false);
     if (!py.isWhole(read.number)) {
       return read;
     }
@@ -5313,8 +5320,14 @@ function encodeFrame(device, { link: linkName, direction, message: messageName, 
   const body = encodeRecord(device, record, values);
   if (direction === "request" && link.barred?.includes(messageName)) refuseBroadcast(link, shape, values, messageName);
   const numbers = new Map(shape.parts.map((part) => [part.name, partNumber(link, direction, part, values, message, error)]));
-  const parts = (series) => series.map((part) => partBytes(part, numbers.get(part.name)));
-  const original = () => joinedBytes([...parts(shape.header), body, ...parts(shape.trailer)]);
+  const original = () => {
+    const data = new Uint8Array(shape.headerSize + body.length + shape.trailerSize);
+    data.set(body, shape.headerSize);
+    for (const part of shape.parts) {
+      partBytes(part, numbers.get(part.name)).forEach((byte, at) => (data[part.at(data.length) + at] |= byte));
+    }
+    return data;
+  };
   const sent = () => sentBytes(shape, original());
   for (const bytes of [original, sent]) {
     const isOwn = (part) => (shape.escape && !part.beforeEscape ? sent : original) === bytes;
@@ -5354,7 +5367,8 @@ function sentBytes(shape, data) {
 
 function partBytes(part, number) {
   if (number instanceof Uint8Array) return number;
-  return part.value.digits ? digitsBytes(part.value, number) : bytesOfNumber(number, part.size, part.order ?? "big", part.value.signed);
+  if (part.value.digits) return digitsBytes(part.value, number);
+  return bytesOfNumber(BigInt(number) << BigInt(part.shift), part.size, part.order ?? "big", part.value.signed);
 }
 
 function partNumber(link, direction, part, values, message, error) {

@@ -6,6 +6,7 @@ import re
 
 from fieldspec.language.schema import schema
 from random_devices.draft import ODD_COUNTS, ODD_INTEGERS, SIZES, Draft, Spec, bounds, range_text
+from random_devices.drawn_bits import share_bytes
 from random_devices.drawn_escapes import add_escape, add_preamble
 from random_devices.drawn_values import value
 
@@ -71,7 +72,10 @@ def _mark(draft: Draft, response: list[Spec], is_coded: bool) -> Spec:
 
 
 def _limits(part: Spec) -> tuple[int, int]:
-    """The least and the greatest number of a part: those of its type, or of its digits."""
+    """The least and the greatest number of a part: those of its type, of its bits, or of its digits."""
+    if "bits" in part:
+        first, _, last = str(part["bits"]).partition("..")
+        return 0, (1 << int(last or first) - int(first) + 1) - 1
     if "digits" not in part:
         return bounds(part["type"])
     return 0, (10 if part["digits"] == "decimal" else 16) ** part["length"] - 1
@@ -104,7 +108,10 @@ def parts(draft: Draft, line: Spec, coded: bool, code: Spec) -> list[Spec]:
     if draft.chance(70):
         for _ in range(draft.pick((1, 1, 1, 1, 1, 1, 2, 3, 4))):
             (before if draft.chance(15) else behind).append(_checksum(draft))
-    line_of_parts = [*_shuffled(draft, before), _part(draft, "body"), *_shuffled(draft, behind)]
+    before = _shuffled(draft, before)
+    if draft.chance(25):
+        before = share_bytes(draft, before)
+    line_of_parts = [*before, _part(draft, "body"), *_shuffled(draft, behind)]
     names = [part["name"] for part in line_of_parts]
     middle = next(at for at, part in enumerate(line_of_parts) if part["role"] == "body")
     for at, part in enumerate(line_of_parts):

@@ -28,10 +28,12 @@ class Explainer:
         link, direction, message = query.path
         explanation = explained(self.layout, link, direction, query.data, message)
         shape = self.layout.links[link].frame(direction)
+        # Parts that share bytes have a row each, with all of these bytes.
+        rows = {(row.offset, row.length): row for row in explanation.rows}.values()
         if shape.escape is not None:
-            data = b"".join(query.data[row.offset : row.offset + row.length] for row in explanation.rows)
+            data = b"".join(query.data[row.offset : row.offset + row.length] for row in rows)
         else:
-            data = b"".join(row.characters.encode("latin-1") or row.raw for row in explanation.rows)
+            data = b"".join(row.characters.encode("latin-1") or row.raw for row in rows)
         assert data == query.data, "the rows of an explanation do not cover the frame"
         if explanation.reasons:
             return Answer(" ".join(explanation.reasons))

@@ -64,7 +64,7 @@ def test_what_broke_something_once_breaks_nothing_now(case: Path) -> None:
         assert result.disagreements == []
 
 
-@pytest.mark.parametrize("device", ["courier", "herald", "tracker"])
+@pytest.mark.parametrize("device", ["courier", "herald", "spindle", "submeter", "surveyor", "tracker"])
 def test_all_codecs_agree_on_frames_of_others(device: str) -> None:
     spec = yaml.safe_load((TEST_SPECS / device / "device.yaml").read_text("utf-8"))
     spec["device"]["id"] = "chance"

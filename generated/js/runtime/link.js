@@ -89,7 +89,6 @@ function refusedCodesOf(messages) {
 }
 
 function frame({ header, trailer, start, end, preamble, checksums, escape, escapeStart, escapeStop }) {
-  const sum = (parts) => parts.reduce((size, part) => size + part.size, 0);
   const parts = [...header, ...trailer];
   return {
     header,
@@ -98,8 +97,8 @@ function frame({ header, trailer, start, end, preamble, checksums, escape, escap
     start,
     preamble,
     end,
-    headerSize: sum(header),
-    trailerSize: sum(trailer),
+    headerSize: Math.max(0, ...header.map(({ offset, size }) => offset + size)),
+    trailerSize: trailer.reduce((size, part) => size + part.size, 0),
     lengths: header.filter((part) => part.role === "length"),
     checksums: checksums.map((index) => parts[index]),
     escape,

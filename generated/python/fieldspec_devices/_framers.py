@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from ._digits import Digits
     from ._typing import Data
 
+    Bits = tuple[int, int]
     Extent = tuple[int, int, int, int] | tuple[int, int, int, int, Literal["big", "little"], bool]
 
 _NO_DIGITS = 1 << 64
@@ -42,7 +43,8 @@ class Framer:
     """Takes bytes as they arrive and returns whole frames: all parts and the checksum are right, the address is valid.
 
     `shortest` and `longest` are the sizes of frames in bytes. `unit_addresses` are the valid unit addresses; empty for
-    all. `dropped` counts the bytes that belong to no frame.
+    all. `dropped` counts the bytes that belong to no frame. `unit_address_bits`, as `length_bits` and `code_bits`, are
+    the first bit and the number of bits of a part that shares its bytes with others.
     """
 
     def __init__(
@@ -54,12 +56,13 @@ class Framer:
         unit_address_offset: int = 0,
         unit_address_size: int = 0,
         unit_addresses: frozenset[int] | Intervals = frozenset(),
+        unit_address_bits: Bits | None = None,
         order: str = "big",
     ) -> None:
         self.frames, self.shortest, self.longest = frames, shortest, longest
         self.unit_address_offset, self.unit_address_size = unit_address_offset, unit_address_size
         self.unit_addresses = unit_addresses
-        self._address_form = frames.forms.get(unit_address_offset)
+        self._address_form = unit_address_bits or frames.forms.get(unit_address_offset)
         self._address_is_byte = unit_address_size == 1 and self._address_form is None
         self.little = order == "little"
         self.dropped = 0
@@ -189,10 +192,12 @@ class Framer:
             return buffer[at]
         return int.from_bytes(buffer[at : at + size], "little" if little else "big")
 
-    def _read(self, buffer: bytearray, at: int, size: int, form: Digits | None, little: bool) -> int:
-        """The number of some bytes, which may be digits; for others than these, one that no part of a frame has."""
+    def _read(self, buffer: bytearray, at: int, size: int, form: Digits | Bits | None, little: bool) -> int:
+        """The number of some bytes, or of some bits; for bytes that are not digits, one that no part of a frame has."""
         if form is None:
             return self._number(buffer, at, size, little)
+        if isinstance(form, tuple):
+            return self._number(buffer, at, size, little) >> form[0] & (1 << form[1]) - 1
         (number,) = form.unpack(buffer[at : at + size])
         return _NO_DIGITS if number is None else number
 
@@ -220,9 +225,17 @@ class Framer:
 class LengthFramer(Framer):
     """For frames with a length, whose byte order is `length_order` where it is not that of the unit address."""
 
-    def __init__(self, frames: Frames, *, length_size: int, length_order: str = "", **common: Any) -> None:
+    def __init__(
+        self,
+        frames: Frames,
+        *,
+        length_size: int,
+        length_order: str = "",
+        length_bits: Bits | None = None,
+        **common: Any,
+    ) -> None:
         self.length_offset, self.length_size = frames.length_offset, length_size
-        self._length_form = frames.forms.get(frames.length_offset)
+        self._length_form = length_bits or frames.forms.get(frames.length_offset)
         super().__init__(frames, **common)
         self._length_is_little = length_order == "little" if length_order else self.little
 
@@ -271,6 +284,7 @@ class CodeFramer(Framer):
         code_size: int,
         extents: dict[int, Extent],
         code_order: str = "",
+        code_bits: Bits | None = None,
         subcodes: dict[int, tuple[int, int, str, dict[int, Extent]]] | None = None,
         flag: int = 0,
         refusal: Extent = (0, 0, 0, 0),
@@ -279,7 +293,7 @@ class CodeFramer(Framer):
         self.code_offset, self.code_size = frames.code_offset, code_size
         self.extents, self.flag, self.refusal = extents, flag, refusal
         self.subcodes = subcodes or {}
-        self._code_form = frames.forms.get(frames.code_offset)
+        self._code_form = code_bits or frames.forms.get(frames.code_offset)
         self._code_is_byte = code_size == 1 and self._code_form is None
         super().__init__(frames, **common)
         self._code_is_little = code_order == "little" if code_order else self.little

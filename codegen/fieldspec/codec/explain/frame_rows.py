@@ -218,8 +218,8 @@ class _Frame:
             return self._checked(part, raw)
         assert part.value is not None
         if part.reserved:
-            return decode_value(self.layout.device, part.value, raw, part.order, False, part.reserved)
-        read = decode_value(self.layout.device, part.value, raw, part.order, False)
+            return decode_value(self.layout.device, part.value, part.own_bytes(raw), part.order, False, part.reserved)
+        read = decode_value(self.layout.device, part.value, part.own_bytes(raw), part.order, False)
         if not isinstance(read.number, int):
             return read
         if part.role == "length":

@@ -32,7 +32,7 @@ def _values(link: LinkLayout, frame: FrameLayout, part: PartLayout) -> list[byte
     """The possible values of each byte of a part; empty where it may have any number."""
     if part.form:
         return [_DIGITS[part.form]] * part.size if part.form in _DIGITS and not part.reserved else []
-    if part.reserved:
+    if part.reserved or part.width:
         return []
     if part.constant is not None:
         return _each_byte([part.data(part.constant)])

@@ -322,6 +322,7 @@ def _frame(link: Link, direction: str) -> FrameLayout:
 
     def place(number: int) -> int:
         """The offset of a part: from the start; from the end and negative if the part comes after the body."""
+        number = link.word_start(direction, number)
         return sum(sizes[:number]) if number <= body else sum(sizes[:number]) - parts_size
 
     def stop_of(last: int) -> int | None:
@@ -343,7 +344,7 @@ def _frame(link: Link, direction: str) -> FrameLayout:
                 part.name,
                 part.role,
                 place(number),
-                sizes[number],
+                sizes[link.word_start(direction, number)],
                 value,
                 part.algorithm,
                 order,
@@ -358,6 +359,7 @@ def _frame(link: Link, direction: str) -> FrameLayout:
                 digits=part.digits,
                 escaped=is_escaped,
                 before_escape=is_escaped or (escaped is not None and part.span.before_escape),
+                shift=part.bits[0] if part.bits is not None and not link.is_can else 0,
             )
         )
     header, trailer = tuple(placed[:body]), tuple(placed[body + 1 :])

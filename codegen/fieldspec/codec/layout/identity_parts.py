@@ -21,7 +21,8 @@ def part_words(part: PartLayout) -> Iterator[Words]:
     if part.reserved and words:
         words = (f"u{8 * part.size}", *words[1:])
     role = _HASHED_ROLES.get(part.role, part.role)
-    yield part.name, role, part.offset, part.size, part.algorithm, order_of(part.value, part.order), *words
+    order = order_of(part.value, part.order) if part.size > 1 or not part.width else ""
+    yield part.name, role, part.offset, part.size, part.algorithm, order, *words
     yield from _span(part)
 
 

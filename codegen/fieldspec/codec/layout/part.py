@@ -20,6 +20,8 @@ class PartLayout:
     count from the end, and None is the end. A length of n means that all parts together have `unit_size` * n + `base`
     bytes. `constant` is the value that is always sent. In a `reserved` part, anything may be received. A length or a
     checksum with `before_escape` is that of the original bytes, as it is for each one that is `escaped` itself.
+    A part of some bits has the `size` and the `order` of the bytes that it shares with its neighbours; its number is
+    the `width` bits from `shift` on.
     """
 
     part: Part
@@ -39,11 +41,17 @@ class PartLayout:
     digits: str = ""
     escaped: bool = False
     before_escape: bool = False
+    shift: int = 0
 
     @property
     def is_argument(self) -> bool:
         """Whether users supply its value."""
         return self.role in ("unit_address", "plain") and self.constant is None
+
+    @property
+    def width(self) -> int:
+        """The bits of its number; 0 where it has whole bytes."""
+        return self.value.packed_bits if self.value is not None else 0
 
     def at(self, length: int) -> int:
         """The offset of the part if all parts together have `length` bytes."""
@@ -65,13 +73,14 @@ class PartLayout:
         return self.size if self.part.bits is None else (self.part.bits[1] - self.part.bits[0]) // 8 + 1
 
     def data(self, number: int) -> bytes:
-        """The bytes, or the digits, of a number that they can express."""
+        """The bytes, or the digits, of a number that they can express; other parts in the same bytes are 0."""
         assert self.value is not None
         if self.value.digits:
             return digits_bytes(self.value, number)
         order: Literal["big", "little"] = "little" if self.order == "little" else "big"
         whole = number_of(self.value.encoding)
-        return (number if whole is None else whole_bits(whole, number)).to_bytes(self.size, order)
+        bits = number if whole is None else whole_bits(whole, number)
+        return (bits << self.shift).to_bytes(self.size, order)
 
     def number(self, length: int) -> int | None:
         """The value of a length part if all parts together have `length` bytes; None if it cannot express that."""
@@ -83,11 +92,26 @@ class PartLayout:
         """The form of the digits that its number is sent as; empty for a binary number, and for a checksum."""
         return self.value.digits if self.value is not None else ""
 
+    def own_bytes(self, data: bytes) -> bytes:
+        """The bytes of its number alone, where it shares them with other parts."""
+        if not self.width:
+            return data
+        order: Literal["big", "little"] = "little" if self.order == "little" else "big"
+        return (int.from_bytes(data, order) >> self.shift & (1 << self.width) - 1).to_bytes(len(data), order)
+
+    def bytes_with(self, data: bytes, number: int) -> bytes:
+        """Its bytes with a number in place of its own; other parts keep their bits."""
+        if not self.width:
+            return self.data(number)
+        order: Literal["big", "little"] = "little" if self.order == "little" else "big"
+        other_bits = int.from_bytes(data, order) & ~((1 << self.width) - 1 << self.shift)
+        return (other_bits | number << self.shift).to_bytes(self.size, order)
+
     def read(self, data: bytes) -> int | None:
         """The number in exactly its bytes; None for bytes that are not its digits."""
         assert self.value is not None
         if self.value.digits:
             return digits_number(self.value, data) if len(data) == self.size else None
-        bits = int.from_bytes(data, "little" if self.order == "little" else "big")
+        bits = int.from_bytes(self.own_bytes(data), "little" if self.order == "little" else "big")
         whole = number_of(self.value.encoding)
         return bits if whole is None else whole_number(whole, bits)

@@ -14,11 +14,29 @@ from fieldspec.codec.reference.structs import value_construct
 
 def part_construct(part: PartLayout) -> construct.Construct:
     """A part as a number; a check has no value of its own."""
+    if part.width:
+        return _Bits(construct.BytesInteger(part.size, swapped=part.order != "big"), part.shift, part.width)
     if part.role != "checksum":
         return value_construct(part.value, part.order, False)
     if part.digits:
         return construct.Bytes(part.size)
     return construct.BytesInteger(part.size, swapped=part.order != "big")
+
+
+class _Bits(construct.Adapter):  # type: ignore[misc]
+    """A number in some bits of a whole one; the other bits are built as 0."""
+
+    def __init__(self, whole: construct.Construct, shift: int, width: int) -> None:
+        super().__init__(whole)
+        self.factor, self.modulus = 1 << shift, 1 << width
+
+    def _decode(self, whole: int, context: Any, path: str) -> int:
+        return whole // self.factor % self.modulus
+
+    def _encode(self, number: int, context: Any, path: str) -> int:
+        if not 0 <= number < self.modulus:
+            raise construct.IntegerError(f"{number} does not fit its bits", path=path)
+        return number * self.factor
 
 
 class FrameParts:
@@ -46,8 +64,12 @@ class FrameParts:
 
     def data(self, numbers: dict[str, Any], body: bytes) -> bytes:
         """The bytes of all parts around some data."""
-        part_bytes = b"".join(number.build(numbers[part.name]) for part, number in self._constructs)
-        return part_bytes[: self.shape.header_size] + body + part_bytes[self.shape.header_size :]
+        header, trailer = bytearray(self.shape.header_size), bytearray(self.shape.trailer_size)
+        for part, number in self._constructs:
+            side, offset = (header, part.offset) if part.offset >= 0 else (trailer, part.at(len(trailer)))
+            for place, byte in enumerate(number.build(numbers[part.name]), offset):
+                side[place] |= byte
+        return bytes(header) + body + bytes(trailer)
 
 
 def checksum_of(part: PartLayout, data: bytes) -> int | bytes:

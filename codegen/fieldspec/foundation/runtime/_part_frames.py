@@ -34,10 +34,11 @@ class PartFrames(Frames):
     as digits has their form. `checks` are the checksums in the order in which they are computed: the place in these
     rows, the function, the bounds of the bytes that it covers, and the digits of one that is sent as characters. A
     length of n means that the parts have `unit` * n + `base` bytes. `lengths` are the other ones: the place, the
-    offset, the name, the greatest number, the unit and the base.
+    offset, the name, the greatest number, the unit and the base. `bits` are the first bit and the number of bits of
+    parts before the body that share their bytes with neighbours, by their place.
     """
 
-    __slots__ = ("base", "checks", "digits", "lengths", "rows", "tail", "unit")
+    __slots__ = ("base", "bits", "checks", "digits", "lengths", "offsets", "rows", "tail", "unit")
 
     def __init__(
         self,
@@ -54,6 +55,7 @@ class PartFrames(Frames):
         unit: int = 1,
         base: int = 0,
         lengths: tuple[Length, ...] = (),
+        bits: dict[int, tuple[int, int]] | None = None,
         start: bytes = b"",
         end: bytes = b"",
         hexadecimal: bool = False,
@@ -74,9 +76,17 @@ class PartFrames(Frames):
             preamble=preamble,
         )
         self.rows, self.tail, self.checks, self.unit, self.base = head, tail, checks, unit, base
+        self.bits = bits or {}
         first = ((length, length_offset, length_name, longest, unit, base),) if length >= 0 else ()
         self.lengths: tuple[Length, ...] = (*first, *lengths)
-        self.head_size = sum(row[1] for row in head)
+        self.offsets: list[int] = []
+        at = filled = 0
+        for place, row in enumerate(head):
+            self.offsets.append(at)
+            filled += self.bits[place][1] if place in self.bits else 8 * row[1]
+            if filled == 8 * row[1]:
+                at, filled = at + row[1], 0
+        self.head_size = at
         self.tail_size = sum(row[1] for row in tail)
         rows = (*head, *tail)
         self.digits = {
@@ -84,24 +94,25 @@ class PartFrames(Frames):
             for place, (_, size, form, _, _, _) in enumerate(rows)
             if form in _FORMS
         }
-        offsets = (sum(row[1] for row in head[:place]) for place in range(len(head)))
-        self.forms = {offset: self.digits[place] for place, offset in enumerate(offsets) if place in self.digits}
+        self.forms = {offset: self.digits[place] for place, offset in enumerate(self.offsets) if place in self.digits}
 
     def _numbers(self, data: Data) -> list[tuple[Part, int, int]]:
         """The row, the offset and the number of each part of a frame that is long enough; -1 if not digits."""
         numbers = []
-        at = 0
+        end = len(data) - self.tail_size
         for place, row in enumerate((*self.rows, *self.tail)):
-            if place == len(self.rows):
-                at = len(data) - self.tail_size
+            at = self.offsets[place] if place < len(self.rows) else end
             _, size, order, signed, _, _ = row
             if order == "big" or order == "little":
                 number = _whole(data[at : at + size], order, signed)
+                if place in self.bits:
+                    shift, width = self.bits[place]
+                    number = number >> shift & (1 << width) - 1
             else:
                 (digits_number,) = self.digits[place].unpack(data[at : at + size])
                 number = _NO_DIGITS if digits_number is None else digits_number
             numbers.append((row, at, number))
-            at += size
+            end += size if place >= len(self.rows) else 0
         return numbers
 
     def _wrong_checksum(
@@ -214,15 +225,24 @@ class PartFrames(Frames):
                 numbers[place] = _number(function(data[start:stop]), size, _order(order), form)
 
     def _packed(self, numbers: list[int], body: bytes) -> bytes:
-        packed = [
-            _bytes(number, size, order, signed)
-            if order == "big" or order == "little"
-            else self.digits[place].data(number)
-            for place, (number, (_, size, order, signed, _, _)) in enumerate(
-                zip(numbers, (*self.rows, *self.tail), strict=True)
-            )
-        ]
-        packed.insert(len(self.rows), body)
+        packed: list[bytes] = []
+        shared = 0
+        for place, (number, (_, size, order, signed, _, _)) in enumerate(
+            zip(numbers, (*self.rows, *self.tail), strict=True)
+        ):
+            if place == len(self.rows):
+                packed.append(body)
+            if order != "big" and order != "little":
+                packed.append(self.digits[place].data(number))
+            elif place not in self.bits:
+                packed.append(_bytes(number, size, order, signed))
+            else:
+                shared |= number << self.bits[place][0]
+                if self.offsets[place + 1 : place + 2] != [self.offsets[place]]:
+                    packed.append(_bytes(shared, size, order, False))
+                    shared = 0
+        if not self.tail:
+            packed.append(body)
         return b"".join(packed)
 
 

@@ -35,7 +35,8 @@ def bits_match_range(device: Device) -> Findings:
 def _of_value(device: Device, fact: Fact, value: Value) -> Findings:
     used = device.flags.get(value.flags)
     if used is not None:
-        wrong = list(_compare_range(device, fact, used, value.ranges))
+        is_of_bits = value.packed_bits > 0 and range_key(fact.place) not in fact.place
+        wrong = list(_compare_range(device, fact, used, None if is_of_bits else value.ranges))
         yield from wrong or _compare_words(fact, value, used)
 
 

@@ -1,7 +1,7 @@
 """The first parts of a frame on a CAN bus are all bits of its identifier, the same in requests and responses, and the
 data have at most eight bytes; if they have several lists, each has room for all its elements beside the least of the
-others. Numbers fit into their bits. Only a CAN bus has parts with bits and remote requests. A remote request has all
-its parts in the identifier, and a code among them.
+others. Numbers fit into their bits. Only a CAN bus has remote requests. A remote request has all its parts in the
+identifier, and a code among them.
 
 Why: the value of a bit without a part would be undefined, and a frame with more data cannot be sent.
 
@@ -34,10 +34,6 @@ _REMOTE_CODE = 4
 def can_frames_complete(device: Device) -> Findings:
     for link in device.links.values():
         if not link.is_can:
-            for part in (*link.request, *link.response):
-                if part.bits is not None:
-                    text = f"{part.name} has `bits`, but {link.name} is not a CAN bus"
-                    yield finding(part.place, "bits", text, "state the whole byte, or add `can` to the link")
             continue
         yield from _without_foreign_keys(link)
         own = [_identifier(link.parts(direction)) for direction in ("request", "response")]

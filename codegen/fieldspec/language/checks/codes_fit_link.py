@@ -12,14 +12,12 @@ way.
 
 from __future__ import annotations
 
-from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.checks.finding import Findings, finding, label, type_text
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import is_count
 from fieldspec.language.model.link import ExceptionResponse, Link
 from fieldspec.language.model.record import Message
 from fieldspec.language.model.sizes import messages_on
-from fieldspec.language.model.value import Value
 
 
 def codes_fit_link(device: Device) -> Findings:
@@ -34,7 +32,7 @@ def codes_fit_link(device: Device) -> Findings:
         if link.exception_response is not None and not 0 < _mark(link.exception_response) <= high:
             error = link.exception_response
             mark = f"the code {error.code:#x}" if error.code is not None else f"the bit {error.flag:#x}"
-            text = f"{part.name} is {_kind(part.value)} and cannot hold {mark}"
+            text = f"{part.name} is {type_text(part.value)} and cannot hold {mark}"
             help = "correct the bit or the part's type"
             yield finding(link.place, "exception_response", text, help, label(part.place, "type", part.value.type.name))
         if link.exception_response is not None and link.exception_response.flag and part.value.digits == "decimal":
@@ -59,15 +57,10 @@ def _wide(link: Link, message: Message) -> Findings:
             if part.role != "code" or value is None or not is_count(value.encoding) or code <= value.high:
                 continue
             printed = str(code) if value.digits == "decimal" else f"{code:#x}"
-            text = f"the code {printed} does not fit {part.name}, which is {_kind(value)}"
+            text = f"the code {printed} does not fit {part.name}, which is {type_text(value)}"
             help = "correct the code or the part's type"
             yield finding(message.place, key, text, help, label(part.place, "type", part.name))
             break
-
-
-def _kind(value: Value) -> str:
-    """`u8`, `2 decimal digits`"""
-    return digits_text(value) if value.digits else value.type.name
 
 
 def _mark(error: ExceptionResponse) -> int:

@@ -174,7 +174,7 @@ def _of_part(part: Part, value: Value) -> Findings:
         text = f"the part {part.name} is {value.type.name}, and the digits of a part have no sign"
         yield finding(part.place, "type", text, "use an unsigned type")
     if part.bits is not None:
-        text = f"{part.name} is sent as digits, which the bits of an identifier are not"
+        text = f"{part.name} is sent as digits, which some bits of a number are not"
         yield finding(part.place, "digits", text, "remove `digits` and `length`")
 
 

@@ -9,12 +9,15 @@ from itertools import accumulate
 from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.line_text import plural
 from fieldspec.foundation.source import Span
 from fieldspec.language.checks.facts import allowing
 from fieldspec.language.diagnostics import Diagnostic, Label, Severity
 from fieldspec.language.model.device import Device
+from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.fact import Fact, Place
 from fieldspec.language.model.ranges import Ranges, merged, uncovered
+from fieldspec.language.model.value import Value
 
 Findings: TypeAlias = Iterator[Diagnostic]
 Check: TypeAlias = Callable[[Device], Findings]
@@ -69,6 +72,13 @@ def enumeration(words: Collection[object]) -> str:
     if len(texts) > _MOST_WORDS:
         texts = [*texts[: _MOST_WORDS - 1], f"{len(texts) - _MOST_WORDS + 1} more"]
     return texts[0] if len(texts) == 1 else ", ".join(texts[:-1]) + " and " + texts[-1]
+
+
+def type_text(value: Value) -> str:
+    """What holds the numbers of a value: `u8`, `5 bits` or `2 decimal digits`."""
+    if value.packed_bits:
+        return plural(value.packed_bits, "bit")
+    return digits_text(value) if value.digits else value.type.name
 
 
 def range_key(place: Place) -> str:

@@ -276,7 +276,9 @@ def _of_mark(link: Link, direction: str) -> Findings:
         return
     first, last = link.escaped_span(direction) or (0, len(parts) - 1)
     unescaped_values = [
-        part.value for index, part in enumerate(parts) if not first <= index <= last and part.value is not None
+        part.value
+        for index, part in enumerate(parts)
+        if not first <= index <= last and part.value is not None and part.bits is None
     ]
     marks = [
         *link.delimiters(direction),

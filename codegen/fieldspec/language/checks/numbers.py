@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from fieldspec.language.checks.finding import type_text
 from fieldspec.language.model.access import readable
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import is_count, is_exact, is_real
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.quantity import count_of
@@ -39,7 +39,7 @@ class Legal:
         if not is_exact(value.encoding) or isinstance(number, float):
             return ""
         if not value.low <= number <= value.high:
-            return f"does not fit {digits_text(value) if value.digits else value.type.name}"
+            return f"does not fit {type_text(value)}"
         if value.sentinel(number) is not None:
             return ""
         if value.ranges is not None and number not in value.ranges:

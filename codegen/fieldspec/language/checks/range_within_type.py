@@ -13,10 +13,10 @@ from __future__ import annotations
 from math import copysign
 
 from fieldspec.foundation.exhaustive import assert_never
-from fieldspec.language.checks.finding import Findings, finding, outside, range_key
+from fieldspec.language.checks.finding import Findings, finding, outside, range_key, type_text
 from fieldspec.language.checks.settled import of_values, of_words
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import digit_count, digits_text
+from fieldspec.language.model.digits import digit_count
 from fieldspec.language.model.encoding import (
     Digits,
     Octets,
@@ -161,12 +161,10 @@ def _type_range(primitive: Primitive) -> str:
 
 
 def _range_of(value: Value) -> str:
-    if value.packed_bits:
-        return f"{value.packed_bits} bits, which have the range {value.low}..{value.high}"
-    if not value.digits:
+    if not value.digits and not value.packed_bits:
         return _type_range(value.type)
-    verb = "has" if digit_count(value) == 1 else "have"
-    return f"{digits_text(value)}, which {verb} the range {value.low}..{value.high}"
+    verb = "has" if 1 in (value.packed_bits, digit_count(value) if value.digits else 0) else "have"
+    return f"{type_text(value)}, which {verb} the range {value.low}..{value.high}"
 
 
 def _ranges_text(ranges: Ranges | None) -> str:

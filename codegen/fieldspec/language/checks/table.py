@@ -91,6 +91,7 @@ _NAMES = (
     "parameter_numbers_ascending",
     "parameter_numbers_within_range",
     "parameters_fit_messages",
+    "part_bits_complete",
     "ports_usable",
     "presences_complete",
     "printed_names_match",

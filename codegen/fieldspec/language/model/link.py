@@ -33,7 +33,8 @@ class Part(Fact):
     as characters where `digits` says which. `span` is what a length
     counts, in units of `unit_size` bytes and `plus` more, or what a checksum covers. A `reserved` part has no meaning:
     its constant or 0 is sent, and anything is received. `same_as` names the part of the request that a part of the
-    response repeats, else it is empty. `bits` are the first and the last bit of a part of an identifier. The
+    response repeats, else it is empty. `bits` are the first and the last bit of a part of an identifier, or of its
+    own type; with `is_shared`, the part before it has other bits of the same bytes. The
     computation of `algorithm` begins after the `prefix` and ends after the `suffix`; `stated_algorithm` is the one
     that the spec states.
     """
@@ -49,6 +50,7 @@ class Part(Fact):
     digits: str = ""
     same_as: str = ""
     bits: tuple[int, int] | None = None
+    is_shared: bool = False
     prefix: bytes = b""
     suffix: bytes = b""
     stated_algorithm: str = ""
@@ -226,7 +228,7 @@ class Link(Fact):
         start, _ = self.marks(direction)
         first = next(iter(self.parts(direction)), None)
         value = first.value if first is not None and not first.reserved else None
-        if start or value is None or value.const is None or value.size != 1:
+        if start or value is None or value.const is None or value.size != 1 or value.packed_bits:
             return start
         return bytes((value.const & 0xFF,))
 
@@ -254,7 +256,7 @@ class Link(Fact):
         if not {part.span.first, part.span.last} <= {"", *names}:
             return None
         own, end = names.index(part.name), len(parts) - 1
-        first = names.index(part.span.first) if part.span.first else 0
+        first = self.word_start(direction, names.index(part.span.first) if part.span.first else 0)
         last = own - 1 if part.role == "checksum" and first <= own else end
         return first, names.index(part.span.last) if part.span.last else last
 
@@ -264,8 +266,15 @@ class Link(Fact):
         names = [part.name for part in parts]
         if self.escape is None or not {self.escape.first, self.escape.last} <= {"", *names}:
             return None
-        first = names.index(self.escape.first) if self.escape.first else 0
+        first = self.word_start(direction, names.index(self.escape.first) if self.escape.first else 0)
         return first, names.index(self.escape.last) if self.escape.last else len(parts) - 1
+
+    def word_start(self, direction: str, index: int) -> int:
+        """The index of the first part in the bytes of a part."""
+        parts = self.parts(direction)
+        while parts[index].is_shared:
+            index -= 1
+        return index
 
     def delimiters(self, direction: str) -> tuple[bytes, bytes]:
         """The bytes that open and close a frame in one direction."""

@@ -183,7 +183,12 @@ def shapes(device: Device, direction: str) -> list[Shape]:
 
 
 def part_size(part: Part) -> int:
-    """The bytes of a part of a frame; 0 for the body, whose data have sizes of their own."""
+    """The bytes of a part of a frame, besides those that it shares with the part before it.
+
+    They are 0 for the body, whose data have sizes of their own.
+    """
+    if part.is_shared:
+        return 0
     if part.algorithm:
         return checksum_size(part.algorithm, part.digits)
     return part.value.size if part.value is not None else 0

@@ -35,13 +35,15 @@ from fieldspec.targets.c.parts import (
     check_digits,
     code_type,
     length_number,
+    load_part,
     part_pointer,
     part_value,
     write_part,
+    write_shared_bytes,
 )
 from fieldspec.targets.c.statements import Body, Return, Statement, Variable, assign, discard
 from fieldspec.targets.c.subcodes import read_subcode, shared_codes, subcode_type
-from fieldspec.targets.c.values import check_constant, declare_value, load, refuse, return_ok, status_type
+from fieldspec.targets.c.values import check_constant, declare_value, refuse, return_ok, status_type
 
 DIRECTIONS = ("request", "response")
 _SIZE_POINTER = Type("size_t", pointer=True)
@@ -150,8 +152,7 @@ def _declare_open(naming: Naming, link: LinkLayout, direction: str) -> list[Decl
         body += refuse(naming, LENGTH.less(unsigned(parts_size)), "err_incomplete")
     body += _check_frame(naming, frame, True)
     for part in header_parts(frame):
-        number = load(naming, part_value(part), part_pointer(IN, part, LENGTH))
-        body.append(assign(OUT.arrow(frame_member(part)), number))
+        body.append(assign(OUT.arrow(frame_member(part)), load_part(naming, part)))
     body += _read_code(naming, link, frame)
     # Where no message is answered, every code is refused and there is no body to return.
     if not isinstance(body[-1], Return):
@@ -179,7 +180,7 @@ def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:
     for length in frame.lengths:
         if _is_sent(frame, length) == is_original:
             continue
-        received = load(naming, part_value(length), part_pointer(IN, length, LENGTH))
+        received = load_part(naming, length)
         number, unrepresentable = length_number(frame, length, LENGTH)
         body += refuse(naming, any_of([*unrepresentable, received.differs(number)]), "err_wrong_length")
     for checksum in frame.checksums:
@@ -189,7 +190,7 @@ def _check_frame(naming: Naming, frame: FrameLayout, is_original: bool) -> Body:
         test = is_wrong(naming, checksum, computed, part_pointer(IN, checksum, LENGTH))
         body += refuse(naming, test, "err_wrong_checksum")
     for part in frame.constants if is_original else ():
-        body += check_constant(naming, part_value(part), part_pointer(IN, part, LENGTH))
+        body += check_constant(naming, part_value(part), load_part(naming, part))
     return body
 
 
@@ -204,7 +205,7 @@ def _read_code(naming: Naming, link: LinkLayout, frame: FrameLayout) -> Body:
         if link.mark is not None:
             return (assign(error, mark_in_data(link.mark, frame)),)
         return read_mark(exception, frame, code, error)
-    body: Body = (assign(code, load(naming, part_value(part), part_pointer(IN, part, LENGTH))),)
+    body: Body = (assign(code, load_part(naming, part)),)
     guard: list[Expression] = []
     if link.link.exception_response is not None and frame.direction == "response":
         body += read_mark(link.link.exception_response, frame, code, error)
@@ -253,6 +254,7 @@ def _declare_close(naming: Naming, layout: DeviceLayout, link: LinkLayout, direc
     body += _check_capacity(naming, width, parts_size, delimiters)
     sent_lengths = [part for part in frame.lengths if _is_sent(frame, part)]
     early = [part for part in frame.parts if part.role != "checksum" and part not in sent_lengths]
+    body += write_shared_bytes(naming, frame)
     body += _write_parts(naming, layout, link, frame, early)
     body += _store_checksums(naming, [part for part in frame.checksums if not _is_sent(frame, part)])
     if frame.escape is not None:

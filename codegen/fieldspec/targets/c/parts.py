@@ -10,12 +10,33 @@ from fieldspec.codec.layout.part import PartLayout
 from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, number_of
 from fieldspec.targets.c.digits import digits_test
-from fieldspec.targets.c.expressions import IN, LENGTH, OUT, Expression, Group, Identifier, Type, all_of, any_of
-from fieldspec.targets.c.literals import UINT64, ZERO, decimal, integer, unsigned
-from fieldspec.targets.c.machine import machine_whole
+from fieldspec.targets.c.expressions import (
+    IN,
+    LENGTH,
+    OUT,
+    Cast,
+    Expression,
+    Group,
+    Identifier,
+    Type,
+    all_of,
+    any_of,
+)
+from fieldspec.targets.c.literals import UINT64, ZERO, decimal, hexadecimal, integer, unsigned
+from fieldspec.targets.c.machine import machine, machine_whole
 from fieldspec.targets.c.naming import Naming, argument
 from fieldspec.targets.c.statements import Body, CompileIf, Statement
-from fieldspec.targets.c.values import WireValue, check_stored, refuse, store_constant, store_number, store_whole
+from fieldspec.targets.c.values import (
+    WireValue,
+    check_stored,
+    load,
+    load_bits,
+    refuse,
+    store,
+    store_constant,
+    store_number,
+    store_whole,
+)
 
 CODE, TOTAL = Identifier("code"), Identifier("total")
 
@@ -43,6 +64,28 @@ def code_type(frame: FrameLayout) -> Type:
 def part_pointer(pointer: Expression, part: PartLayout, total: Expression) -> Expression:
     """`in + 2`, or after the body `in + length - 3u`: a pointer to a part of a frame of `total` bytes."""
     return pointer + (decimal(part.offset) if part.offset >= 0 else total.plus(part.offset))
+
+
+def load_part(naming: Naming, part: PartLayout) -> Expression:
+    """`load_u16_be(in + 2)`, or of some bits `(uint8_t)((load_u8(in + 4) >> 5u) & 0x01u)`: a received number"""
+    wire, source = part_value(part), part_pointer(IN, part, LENGTH)
+    if not part.width:
+        return load(naming, wire, source)
+    bits = load_bits(naming, wire, source)
+    shifted = Group(bits >> unsigned(part.shift)) if part.shift else bits
+    mask = hexadecimal((1 << part.width) - 1, part.size)
+    return Cast(machine(wire.encoding).word, shifted & mask)
+
+
+def write_shared_bytes(naming: Naming, frame: FrameLayout) -> Body:
+    """`store_u8(out + 2, 0x40u);`: the constants in the bytes that parts share, to which other parts add their bits"""
+    body: Body = ()
+    for first in frame.header:
+        if first.width and not first.part.is_shared:
+            parts = (part for part in frame.header if part.offset == first.offset)
+            constants = sum((part.constant or 0) << part.shift for part in parts)
+            body += store_constant(naming, part_value(first), constants, part_pointer(OUT, first, TOTAL))
+    return body
 
 
 def check_digits(naming: Naming, parts: Iterable[PartLayout]) -> Body:
@@ -80,27 +123,36 @@ def write_part(naming: Naming, layout: DeviceLayout, link: LinkLayout, frame: Fr
         limit = refuse(naming, number.greater(unsigned(highest)), "err_wrong_length")
         if highest >= 0xFFFF:
             limit = (CompileIf("if", f"SIZE_MAX > {highest}u", limit),)
-        return (*checks, *limit, _store_part(naming, wire, target, number))
+        return (*checks, *limit, _store_part(naming, part, target, number))
     if part.role == "code":
         highest = wire.value.high
         is_any = highest == (1 << (32 if code_type(frame) == number_type(4) else 64)) - 1
         limit = () if is_any else refuse(naming, CODE.greater(unsigned(highest)), "err_unknown_code")
-        return (*limit, _store_part(naming, wire, target, CODE))
+        return (*limit, _store_part(naming, part, target, CODE))
     if part.constant is not None:
+        if part.width:
+            return ()  # it is among the constants of the bytes
         return store_constant(naming, wire, part.constant, target)
     value = Identifier(argument(part))
     unit_address = _unit_address_test(link, wire, value) if part.role == "unit_address" else None
     if unit_address is None:
-        return (*check_stored(naming, layout.device, wire, value), _store_part(naming, wire, target, value))
+        return (*check_stored(naming, layout.device, wire, value), _store_part(naming, part, target, value))
     return (
         *check_stored(naming, layout.device, wire, value, ("unknown_value",)),
         *refuse(naming, unit_address, "err_out_of_range"),
-        _store_part(naming, wire, target, value),
+        _store_part(naming, part, target, value),
     )
 
 
-def _store_part(naming: Naming, wire: WireValue, target: Expression, number: Expression) -> Statement:
-    """Writes the number of a part, which its bytes or its digits hold."""
+def _store_part(naming: Naming, part: PartLayout, target: Expression, number: Expression) -> Statement:
+    """Writes the number of a part, which its bytes, its bits or its digits hold."""
+    wire = part_value(part)
+    if part.width:
+        word = machine(wire.encoding).word
+        own: Expression = Cast(word, number)
+        own = Group(own << unsigned(part.shift)) if part.shift else own
+        joined = load_bits(naming, wire, target) | own
+        return store(naming, wire.access, target, Cast(word, joined))
     match wire.encoding:
         case Digits():
             return store_number(naming, wire, number, target)

@@ -242,11 +242,10 @@ def decode_enum(naming: Naming, device: Device, wire: WireValue) -> Body:
     )
 
 
-def check_constant(naming: Naming, wire: WireValue, source: Expression) -> Body:
+def check_constant(naming: Naming, wire: WireValue, number: Expression) -> Body:
     """`if (load_u8(in + 4) != 3u) { return ERR_WRONG_CONST; }`"""
     assert wire.value.const is not None
-    constant = literal(wire.encoding, wire.value.const)
-    return refuse(naming, load(naming, wire, source).differs(constant), "err_wrong_const")
+    return refuse(naming, number.differs(literal(wire.encoding, wire.value.const)), "err_wrong_const")
 
 
 # Writing

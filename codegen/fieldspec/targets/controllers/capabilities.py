@@ -44,7 +44,8 @@ CONSTRUCTS = {
     "frames": "frames: header, length, checksum, exception responses",
     "hex_frames": "frames whose bytes are sent as two characters",
     "escaped_frames": "frames with escapes",
-    "other_frames": "frames with several checksums, or with one other than CRC-8, CRC-16, 8-bit sum or xor",
+    "other_frames": "frames with several checksums, with parts of some bits, or with a checksum other than CRC-8, "
+    "CRC-16, 8-bit sum or xor",
     "can_frames": "frames of CAN buses",
     "telegrams": "process data of telegrams, as values",
     "aligned_images": "process data with words at even offsets, as a struct that overlays the bytes",

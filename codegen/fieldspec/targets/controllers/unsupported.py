@@ -50,6 +50,9 @@ def _unsupported(link: LinkLayout) -> Iterator[tuple[Fact, str, str]]:
                 yield check.part, key, f"the checksum {check.name} of {link.name} has the algorithm {stated}"
             if check.digits:
                 yield check.part, "digits", f"the checksum {check.name} of {link.name} is sent as digits"
+        shared = next((part for part in frame.header if part.width), None)
+        if shared is not None:
+            yield shared.part, "bits", f"{shared.name} of {link.name} shares its bytes with other parts"
         if len(checks) > 1:
             last = checks[-1].part
             yield last, "name", f"{link.name} has {len(checks)} checksums in a frame"

@@ -44,12 +44,13 @@ COLUMNS = (
 )
 
 
-def _bits(part: PartLayout) -> str:
-    """`bits 7..10`: the place of a part of a CAN identifier, empty for others."""
+def _place(part: PartLayout, place: str) -> str:
+    """`bits 7..10` of a CAN identifier, `2, bits 0..4` of bytes that parts share; the place for others."""
     if part.part.bits is None:
-        return ""
+        return place
     first, last = part.part.bits
-    return f"bit {first}" if first == last else f"bits {first}..{last}"
+    bits = f"bit {first}" if first == last else f"bits {first}..{last}"
+    return f"{place}, {bits}" if part.width else bits
 
 
 class FrameTable:
@@ -105,7 +106,7 @@ class FrameTable:
         cells = value_cells(value, inferred, self.marks) if value else (_check_type(part), Cell(), Cell())
         return TableRow(
             (
-                cell(code(_bits(part) or position.text(part.size, self.start, self.width))),
+                cell(code(_place(part, position.text(part.size, self.start, self.width)))),
                 names(part.part, part.name, mark=self.marks.marks(inferred)),
                 *cells,
                 meaning_cell(self.context, part.part, value, *self._role(part, record, message_code)),

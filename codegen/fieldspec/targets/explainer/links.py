@@ -119,6 +119,7 @@ def _part(part: PartLayout) -> dict[str, Data]:
         "offset": part.offset,
         "size": part.size,
         **({"numberSize": part.number_size} if part.number_size != part.size else {}),
+        **({"shift": part.shift, "width": part.width} if part.width else {}),
         **stated(
             {
                 "order": part.order,

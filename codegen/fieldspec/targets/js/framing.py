@@ -113,6 +113,11 @@ def is_wide_part(part: PartLayout) -> bool:
     return is_wide(part.value.encoding) if part.value is not None else part.size > WIDE
 
 
+def bits_of(part: PartLayout) -> dict[str, str]:
+    """The properties of a part that shares its bytes with others: its first bit, and the number of its bits."""
+    return {"shift": str(part.shift), "width": str(part.width)} if part.width else {}
+
+
 def _part_number(part: PartLayout, wide: bool = False) -> str:
     row = {
         "offset": str(part.offset),
@@ -121,6 +126,7 @@ def _part_number(part: PartLayout, wide: bool = False) -> str:
         "signed": sign_literal(part.value) if part.value is not None else flag(False),
         "unitSize": str(part.unit_size),
         "base": str(part.base),
+        **bits_of(part),
     }
     row |= {"wide": flag(True)} if wide else {}
     return object_of(row | ({"digits": literal(part.form)} if part.form else {}))

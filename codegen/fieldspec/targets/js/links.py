@@ -16,7 +16,7 @@ from fieldspec.targets.explainer.literals import EXACT
 from fieldspec.targets.explainer.wire import checksum_function, escape_object
 from fieldspec.targets.fact_texts import described
 from fieldspec.targets.js.declaration import Declaration, Names
-from fieldspec.targets.js.framing import framer, is_wide_part, subcode_place
+from fieldspec.targets.js.framing import bits_of, framer, is_wide_part, subcode_place
 from fieldspec.targets.js.naming import property_scope
 from fieldspec.targets.js.text import (
     PURE,
@@ -211,6 +211,7 @@ def _parts(place: str, link: LinkLayout, direction: str) -> list[str]:
             "constant": "null" if part.constant is None else integer_literal(part.constant, wide),
             "ranges": _intervals(part.value.ranges, wide) if part.value else "null",
         }
+        row |= bits_of(part)
         if part.form:
             row["digits"] = literal(part.form)
         if part.role == "checksum":

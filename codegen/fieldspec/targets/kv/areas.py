@@ -22,7 +22,7 @@ class PlacedValue:
 
     There are `elements` of it, `stride` bytes apart, the first numbered `first`. `order` and `swapped` are as in a
     layout. `value` is None for a check. `case` says when the value lies there, `fixed` is what it always is. `reserved`
-    says that it means nothing.
+    says that it means nothing. It has `width` bits from `shift` on, or all bits where `width` is 0.
     """
 
     name: str
@@ -40,6 +40,8 @@ class PlacedValue:
     elements: int = 1
     stride: int = 0
     first: int = 0
+    shift: int = 0
+    width: int = 0
 
     def names(self) -> Iterator[tuple[str, int]]:
         """The name and the begin of each element."""
@@ -116,6 +118,8 @@ def of_part(part: PartLayout, start: int, fixed: int | None) -> PlacedValue:
     """The placed value of a part of a frame."""
     value = part.value
     name = value.type.name if value is not None else f"u{8 * part.size}"
+    if part.width:
+        name = "bit" if part.width == 1 else "bits"
     if fixed is None and not part.reserved:
         fixed = part.constant
     return PlacedValue(
@@ -129,6 +133,8 @@ def of_part(part: PartLayout, start: int, fixed: int | None) -> PlacedValue:
         value,
         fixed=fixed,
         reserved=part.reserved,
+        shift=part.shift,
+        width=part.width,
     )
 
 

@@ -95,6 +95,8 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
     word = placed_value.start // area.unit
     number = value is None or not is_array(value.encoding)
     places = bits(placed_value.start, placed_value.size, placed_value.order, placed_value.swapped, area.unit)
+    if placed_value.width:
+        places = places[placed_value.shift :][: placed_value.width]
     place: Cells = {"area": area.name, "device": dialect.device(base + word), "word": word}
     if placed_value.elements > 1:
         place |= {"elements": placed_value.elements, "stride": placed_value.stride // area.unit}
@@ -106,8 +108,9 @@ def _value(device: Device, base: int, area: Area, placed_value: PlacedValue, dia
     )
     if number:
         text = bits_text(places, word)
+        row["bits"] = text
+    if number and not placed_value.width:
         row |= {
-            "bits": text,
             "in_memory": _in_memory(text, placed_value, dialect),
             "suffix": _suffix(text, placed_value, dialect),
         }

@@ -102,7 +102,7 @@ def is_simple(frame: FrameLayout) -> bool:
         frame.escape is None
         and len(frame.lengths) < 2
         and len({part.order for part in frame.header if part.size > 1}) <= 1
-        and not any(part.reserved or part.form or _has_no_letter(part) for part in frame.header)
+        and not any(part.reserved or part.form or part.width or _has_no_letter(part) for part in frame.header)
         and frame.trailer == (() if check is None else (check,))
         and (check is None or _is_usual(check))
         and (length is None or (length.unit_size, length.base) == (1, 0))
@@ -267,12 +267,14 @@ def _part_arguments(frame: FrameLayout) -> list[str]:
         f" {part.base})"
         for part in frame.lengths[1:]
     ]
-    return [*arguments, *([f"lengths={tuple_of(further_lengths)}"] if further_lengths else [])]
+    arguments += [f"lengths={tuple_of(further_lengths)}"] if further_lengths else []
+    bits = {place: (part.shift, part.width) for place, part in enumerate(frame.header) if part.width}
+    return [*arguments, *([f"bits={bits}"] if bits else [])]
 
 
 def _longest(part: PartLayout) -> int:
     """The greatest number of a length."""
-    return part.value.high if part.form and part.value is not None else int(256**part.size) - 1
+    return part.value.high if part.value is not None else 0
 
 
 def head_tests(link: LinkLayout, frame: FrameLayout, request: MessageLayout | None) -> list[str]:

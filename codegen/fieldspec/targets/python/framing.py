@@ -54,7 +54,7 @@ def framer(
     if length is not None:
         paragraphs.append("The length determines where a frame ends; a length that fits no message is garbage.")
         kind = "_LengthFramer" if is_simple(frame) else "_CountFramer"
-        size = [f"length_size={length.size}", *_own_order("length", length, frame)]
+        size = [f"length_size={length.size}", *_own_order("length", length, frame), *_bits("length", length)]
         return kind, [*arguments, *size], docstring(paragraphs, 8)
     if link.link.transmission != "binary":
         return "", [], []
@@ -72,7 +72,7 @@ def framer(
         return "_EndFramer", arguments, docstring(paragraphs, 8)
     if code is None:
         return "", [], []
-    arguments += [f"code_size={code.size}", *_own_order("code", code, frame)]
+    arguments += [f"code_size={code.size}", *_own_order("code", code, frame), *_bits("code", code)]
     arguments.append(f"extents={_table(extents.by_code, frame, 16)}")
     if extents.by_subcode:
         arguments.append(f"subcodes={_subcodes(extents, frame)}")
@@ -124,6 +124,11 @@ def _own_order(name: str, part: PartLayout, frame: FrameLayout) -> list[str]:
     return [f'{name}_order="{part.order}"'] if is_other else []
 
 
+def _bits(name: str, part: PartLayout) -> list[str]:
+    """The argument with the first bit and the number of bits of a part that shares its bytes with others."""
+    return [f"{name}_bits=({part.shift}, {part.width})"] if part.width else []
+
+
 def _order(frame: FrameLayout) -> str:
     """The byte order of the unit address, and of the header where it has none."""
     parts = [part for part in frame.header if part.size > 1 and not part.form]
@@ -155,6 +160,7 @@ def _unit_addresses(link: LinkLayout, frame: FrameLayout, direction: str) -> lis
         f"unit_address_offset={unit_address.offset}",
         f"unit_address_size={unit_address.size}",
         f"unit_addresses={known}",
+        *_bits("unit_address", unit_address),
         *ordered,
     ]
 

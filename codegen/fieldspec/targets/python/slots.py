@@ -212,7 +212,7 @@ class Slots:
 
     @property
     def ranges(self) -> Ranges | None:
-        """The ranges for writing, where they are narrower than the type; a number of sent bytes has none in an image."""
+        """The ranges for writing, where they are narrower than the type. A number of bytes has none in an image."""
         value = self.field.value
         ranges = value.writable_ranges if value is not None and not self.field.counts_sent else None
         if ranges is None or is_real(self.value.encoding):

@@ -123,6 +123,7 @@ def _part(
         "offset": part.offset,
         "size": part.size,
         "order": part.order,
+        **({"shift": part.shift, "width": part.width} if part.width else {}),
         "constant": None if part.constant is None else bound(part.constant, is_wide(part.value)),
         "reserved": part.reserved,
         "same_as": own.same_as or None,

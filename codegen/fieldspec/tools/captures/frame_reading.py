@@ -18,7 +18,7 @@ from fieldspec.tools.captures.checksums import are_right
 from fieldspec.tools.captures.columns import Bytes, Codes, Mask, Numbers, Verdicts, code_at, numbers, runs
 from fieldspec.tools.captures.decoders import Decoders
 from fieldspec.tools.captures.meanings import is_in
-from fieldspec.tools.captures.part_numbers import lacks_digits, part_numbers
+from fieldspec.tools.captures.part_numbers import lacks_digits, own_bytes, part_numbers
 from fieldspec.tools.captures.verdicts import (
     INCOMPLETE,
     OK,
@@ -177,7 +177,7 @@ class FrameReader:
         assert part.value is not None
         rows = np.flatnonzero(frames.verdict == OK)
         decoder = self.decoders.items[self.decoders.place(part.value, part.order, False)]
-        values = decoder.decode(frames.buffer, place[rows])
+        values = decoder.decode(*own_bytes(part, frames.buffer, place[rows]))
         for number in REFUSED:
             frames.verdict[rows[values.verdict == number]] = number
         has_meaning = part.value.enum or part.value.flags or part.value.unit or part.value.scaled

@@ -13,15 +13,29 @@ from fieldspec.codec.layout.word_digits import has_word_digits
 from fieldspec.language.model.digits import digits_letters
 from fieldspec.language.model.encoding import sign_of
 from fieldspec.language.model.value import Value
-from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, gathered, number_at
+from fieldspec.tools.captures.columns import Bytes, Codes, Mask, Numbers, code_at, gathered, number_at
 
 
 def part_numbers(part: PartLayout, buffer: Bytes, offsets: Numbers) -> Numbers:
     """The numbers of a part at some places, modulo 2^64; any where the bytes are not its digits."""
     assert part.value is not None
+    if part.width:
+        whole = code_at(buffer, offsets, part.size, part.order)
+        own: Codes = whole >> np.uint64(part.shift) & np.uint64((1 << part.width) - 1)
+        return own.view(np.int64)
     if not part.form:
         return number_at(buffer, offsets, part.size, part.order, sign_of(part.value.encoding))
     return _number(part.value, part.size, buffer, offsets)
+
+
+def own_bytes(part: PartLayout, buffer: Bytes, offsets: Numbers) -> tuple[Bytes, Numbers]:
+    """A buffer with the bytes of a part alone, also if it shares them with other parts, and where they are in it."""
+    if not part.width:
+        return buffer, offsets
+    is_little = part.order == "little"
+    wide = part_numbers(part, buffer, offsets).astype("<u8" if is_little else ">u8").view(np.uint8).reshape(-1, 8)
+    table = wide[:, : part.size] if is_little else wide[:, 8 - part.size :]
+    return np.append(table, np.uint8(0)), np.arange(len(offsets)) * part.size
 
 
 def field_numbers(field: FieldLayout, buffer: Bytes, offsets: Numbers) -> Numbers:

@@ -88,7 +88,8 @@ class Redaction:
         for part in (*shape.header, *shape.trailer):
             if part.reserved and part.constant is not None:
                 own, offset = (head, part.offset) if part in shape.header else (tail, part.at(len(parts)) - end)
-                own[offset : offset + part.size] = part.data(part.constant)
+                place = slice(offset, offset + part.size)
+                own[place] = part.bytes_with(bytes(own[place]), part.constant)
         body = self._body(decoded, direction, parts[shape.header_size : end], request_values)
         clean = codec_of_link.with_checksum(direction, bytes(head) + body + bytes(tail))
         return codec_of_link.joined_parts(direction, clean)

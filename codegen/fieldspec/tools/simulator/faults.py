@@ -158,7 +158,8 @@ class Faults:
         addressed = shape.role("unit_address")
         if kind == "wrong_unit" and addressed is not None:
             offset = addressed.at(len(parts))
-            parts[offset : offset + addressed.size] = addressed.data(_another_number(addressed, bytes(parts)))
+            place = slice(offset, offset + addressed.size)
+            parts[place] = addressed.bytes_with(bytes(parts[place]), _another_number(addressed, bytes(parts)))
         if kind == "inserted_word":
             middle = shape.header_size + (len(parts) - shape.header_size - shape.trailer_size) // 2
             parts[middle:middle] = self.chance.randrange(0x10000).to_bytes(2, "big")

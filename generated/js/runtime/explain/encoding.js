@@ -180,8 +180,14 @@ export function encodeFrame(device, { link: linkName, direction, message: messag
   const body = encodeRecord(device, record, values);
   if (direction === "request" && link.barred?.includes(messageName)) refuseBroadcast(link, shape, values, messageName);
   const numbers = new Map(shape.parts.map((part) => [part.name, partNumber(link, direction, part, values, message, error)]));
-  const parts = (series) => series.map((part) => partBytes(part, numbers.get(part.name)));
-  const original = () => joinedBytes([...parts(shape.header), body, ...parts(shape.trailer)]);
+  const original = () => {
+    const data = new Uint8Array(shape.headerSize + body.length + shape.trailerSize);
+    data.set(body, shape.headerSize);
+    for (const part of shape.parts) {
+      partBytes(part, numbers.get(part.name)).forEach((byte, at) => (data[part.at(data.length) + at] |= byte));
+    }
+    return data;
+  };
   const sent = () => sentBytes(shape, original());
   // What is escaped comes first: how many bytes are sent depends on all of its bytes.
   for (const bytes of [original, sent]) {
@@ -222,7 +228,8 @@ function sentBytes(shape, data) {
 
 function partBytes(part, number) {
   if (number instanceof Uint8Array) return number;
-  return part.value.digits ? digitsBytes(part.value, number) : bytesOfNumber(number, part.size, part.order ?? "big", part.value.signed);
+  if (part.value.digits) return digitsBytes(part.value, number);
+  return bytesOfNumber(BigInt(number) << BigInt(part.shift), part.size, part.order ?? "big", part.value.signed);
 }
 
 function partNumber(link, direction, part, values, message, error) {

@@ -236,9 +236,9 @@ class FrameRowsFrame {
       return this._checked(part, raw);
     }
     if (part.reserved) {
-      return decodeValue(this.layout.device, part.value, raw, part.order, false, part.reserved);
+      return decodeValue(this.layout.device, part.value, part.ownBytes(raw), part.order, false, part.reserved);
     }
-    const read = decodeValue(this.layout.device, part.value, raw, part.order, false);
+    const read = decodeValue(this.layout.device, part.value, part.ownBytes(raw), part.order, false);
     if (!py.isWhole(read.number)) {
       return read;
     }

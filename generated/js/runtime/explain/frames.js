@@ -22,7 +22,7 @@ export function checksumOf(part, data) {
 /** The value of a length part if all parts together have `length` bytes; undefined if it cannot express that. */
 export function lengthNumber(part, length) {
   const units = (length - (part.base ?? 0)) / (part.unitSize ?? 1);
-  const [low, high] = typeBounds(part.value);
+  const [low, high] = part.width ? [0, 2 ** part.width - 1] : typeBounds(part.value);
   return Number.isInteger(units) && low <= units && units <= high ? units : undefined;
 }
 

@@ -4,7 +4,7 @@ import { canBytes, isRemoteRequest } from "../escapes.js";
 import { exactWhole, onBits } from "../number_bits.js";
 import { py } from "./python.js";
 import { checksumOf, lengthNumber, partOffset } from "./frames.js";
-import { unsignedOf, wholeOf } from "./interpreter.js";
+import { bytesOfNumber, unsignedOf, wholeOf } from "./interpreter.js";
 import { bytesOfHex, intervalsText, isWithin } from "./texts.js";
 
 // Links and their frames by the names that the modules of `codec/explain` have for them.
@@ -67,7 +67,7 @@ export function originalPlaces(escape, data) {
 /** A part of a frame. */
 class PartLayout {
   constructor(data) {
-    Object.assign(this, { unitSize: 1, base: 0, ...data, part: this });
+    Object.assign(this, { unitSize: 1, base: 0, shift: 0, ...data, part: this });
   }
 
   at(length) {
@@ -90,7 +90,15 @@ class PartLayout {
 
   read(bytes) {
     if (this.value.digits) return bytes.length === this.size ? digitsNumber(this.value, bytes) : undefined;
-    return wholeOf(bytes, this.order === "little" ? "little" : "big", this.value.signed);
+    const order = this.order === "little" ? "little" : "big";
+    return wholeOf(this.ownBytes(bytes), order, this.value.signed);
+  }
+
+  /** The bytes of its number alone, where it shares them with other parts. */
+  ownBytes(bytes) {
+    if (!this.width) return bytes;
+    const order = this.order === "little" ? "little" : "big";
+    return bytesOfNumber(BigInt.asUintN(this.width, unsignedOf(bytes, order) >> BigInt(this.shift)), bytes.length, order, false);
   }
 }
 

@@ -28,8 +28,7 @@ _KEYS = {
 
 
 def framing_changed(comparison: Comparison) -> Iterator[Change]:
-    """Frames have different delimiters, a different preamble, encoding or escape, or the parts of identifiers have
-    different bits.
+    """Frames have different delimiters, a different preamble, encoding or escape, or parts have different bits.
 
     Why: neither side recognises the frames of the other.
 
@@ -49,7 +48,7 @@ def framing_changed(comparison: Comparison) -> Iterator[Change]:
 
 
 def _bits(part: Part) -> str:
-    """The bits of an identifier that a part takes, as a spec has them."""
+    """The bits that a part takes, as a spec has them."""
     return "..".join(map(str, part.bits)) if part.bits is not None else ""
 
 

@@ -66,7 +66,7 @@ def link(entry: Entry, reused: Reused) -> Link:
         path = f"{entry.path}/{direction}"
         return rows(entry, path, None, reused, lambda inner: _part(inner, order), order, key=direction)
 
-    request = parts("request")
+    request, response = (own if can else _in_shared_bytes(own) for own in (parts("request"), parts("response")))
     delimiters, preamble = _delimiters(entry), _preamble(entry)
     if preamble is not None:
         delimiters |= {key: preamble.start + delimiters[key] for key in ("start", "response_start")}
@@ -81,7 +81,7 @@ def link(entry: Entry, reused: Reused) -> Link:
         response_start=delimiters["response_start"],
         response_end=delimiters["response_end"],
         request=request,
-        response=parts("response"),
+        response=response,
         message_name=entry.text("message_name") or "message",
         request_name=names.text("request") if names and names.text("request") else "request",
         response_name=names.text("response") if names and names.text("response") else "response",
@@ -191,6 +191,20 @@ def _part(entry: Entry, link_order: str) -> Part:
         digits=digits,
         bits=bits,
     )
+
+
+def _in_shared_bytes(parts: tuple[Part, ...]) -> tuple[Part, ...]:
+    """Parts of some bits: neighbours have the same bytes, until all bits of their type have a part."""
+    placed, free = [], 0
+    for part in parts:
+        if part.bits is None or part.value is None:
+            placed.append(part)
+            free = 0
+            continue
+        width = part.bits[1] - part.bits[0] + 1
+        placed.append(replace(part, value=replace(part.value, packed_bits=width), is_shared=free > 0))
+        free = (free if free > 0 else 8 * part.value.size) - width
+    return tuple(placed)
 
 
 def _span(entry: Entry) -> PartSpan:

@@ -2,13 +2,18 @@
 
 local frames = {}
 
+-- The bytes of a part alone, as far as there are any; `at` is its offset.
+function frames.own_bytes(part, bytes, at)
+    return numbers.alone(bytes:sub(at + 1, at + part.size), part)
+end
+
 local function part_number(part, bytes)
-    local own = bytes:sub(part.offset + 1, part.offset + part.size)
+    local own = frames.own_bytes(part, bytes, part.offset)
     return #own == part.size and part.value and numbers.of(own, part.value) or nil
 end
 
 local function code_in(part, bytes)
-    local own = bytes:sub(part.offset + 1, part.offset + part.size)
+    local own = frames.own_bytes(part, bytes, part.offset)
     return #own == part.size and numbers.code(own, part.value) or nil
 end
 
@@ -246,7 +251,7 @@ function frames.fits(link, direction, bytes, asked, message)
     local code
     for _, part in ipairs(shape.parts) do
         local at = part.offset >= 0 and part.offset or #parts + part.offset
-        local own = parts:sub(at + 1, at + part.size)
+        local own = frames.own_bytes(part, parts, at)
         if part.role == "checksum" and checksums.bytes(part, checksums.covered(part, parts)) ~= own then
             return false
         elseif part.role == "length" and numbers.of(own, part.value) * part.unit_size + part.base ~= #parts then

@@ -14,7 +14,7 @@ function Context:range(at, size)
 end
 
 local function show_part(context, part, at)
-    local bytes = context.bytes:sub(at + 1, at + part.size)
+    local bytes = frames.own_bytes(part, context.bytes, at)
     local tree, link = context.tree, context.link
     if #bytes < part.size then
         local item = tree:add(fields[device.common.undecoded], context:range(at, #bytes))

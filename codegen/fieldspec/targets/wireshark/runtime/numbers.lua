@@ -28,6 +28,22 @@ function numbers.significant(bytes, value)
     return bytes
 end
 
+-- The bytes of the number of a part alone, where it shares them with other parts: `width` bits from `shift` on.
+function numbers.alone(bytes, part)
+    if not part.width then
+        return bytes
+    end
+    local own = part.order == "little" and bytes or bytes:reverse()
+    local first, shift, result = math.floor(part.shift / 8), part.shift % 8, {}
+    for place = 1, #own do
+        local low, high = own:byte(first + place) or 0, own:byte(first + place + 1) or 0
+        local left = math.max(0, math.min(8, part.width - 8 * (place - 1)))
+        result[place] = string.char(band(rshift(low + 256 * high, shift), lshift(1, left) - 1))
+    end
+    local joined = table.concat(result)
+    return part.order == "little" and joined or joined:reverse()
+end
+
 -- The hexadecimal digits of a value.
 function numbers.hexadecimal(bytes, value)
     local ordered = numbers.significant(bytes, value)

@@ -94,7 +94,7 @@ local function head_of(link, direction, bytes, asked, message)
     head.message = message
     for _, part in ipairs(shape.parts) do
         if part.offset >= 0 and part.value and #parts >= part.offset + part.size then
-            local own = parts:sub(part.offset + 1, part.offset + part.size)
+            local own = frames.own_bytes(part, parts, part.offset)
             local number = numbers.of(own, part.value)
             head.values[part.name] = number
             if part.role == "unit_address" then
