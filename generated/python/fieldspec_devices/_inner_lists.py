@@ -183,7 +183,7 @@ class InnerList:
         """
         sent = fields[self.at : self.at + self.length]
         if self.length and size_in(sent, self.order) is None:
-            raise CodecError("unknown_value", f"the size of a list is {sent!r}, which are no digits", place(self.at))
+            raise CodecError("unknown_value", f"the size of a list is {sent!r}, which is not in digits", place(self.at))
         if self.decision is not None:
             return [self.decided_bytes(self.decision, fields, place)]
         is_open = is_last and self.more is None

@@ -82,7 +82,7 @@ def remaining(layout: DeviceLayout) -> Remaining:
 
 
 def _digit_patterns(fact: Fact) -> list[bytes]:
-    """The patterns of the digits of a register, a field or a case; none where its bytes are no digits."""
+    """The patterns of the digits of a register, a field or a case; none for other values."""
     value = fact.value if isinstance(fact, Register | Field | Case) else None
     return digit_patterns(value) if value is not None else []
 
