@@ -161,6 +161,14 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     ]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.refused))
     numbers = {row.number for row, _ in places.rows}
+    refused += [
+        Refusal(number, place, text, "is a comment beside the registers")
+        for number, comments in sheet.comments.items()
+        for place, text in comments
+        if number not in numbers
+    ]
+    if sheet.hidden:
+        assumptions.append(Assumption("hidden cells", "read as others", ", ".join(sheet.hidden)))
     has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
     assumptions += [] if own else unread_texts(sheet, numbers, has_factors)
     order = options.order or titled_order(sheet, numbers, assumptions)
@@ -179,7 +187,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
             texts.setdefault("writable", answers[cells.answer(text)])
         if "function_write" in texts:
             texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
-        row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, order)
+        row = read_row(_cells(columns_of_sheet, sheet_row, texts, sheet.comments), decimal, order)
         if row_place.bits is not None and row_place.bracketed and "array" in texts.get("type", "").casefold():
             row = replace(row, count=max(row_place.bits[1], 1))  # `100 [4]` has four elements
             row_place = replace(row_place, bits=None)
@@ -241,21 +249,30 @@ def _refuse_codes(rows: Sequence[ListRow], places: Placed, columns_of_sheet: Col
         )
 
 
-def _cells(columns_of_sheet: Columns, row: SheetRow, texts: Mapping[str, str]) -> Cells:
-    """The cells of a row: its names are the cells of all columns of names, then its printed name and its label."""
+def _cells(
+    columns_of_sheet: Columns,
+    row: SheetRow,
+    texts: Mapping[str, str],
+    comments: Mapping[int, Sequence[tuple[str, str]]],
+) -> Cells:
+    """The cells of a row: its names are the cells of all columns of names, then its printed name and its label. The
+    comments of its cells are notes."""
     further_columns = columns_of_sheet.more
     further = [text for column in further_columns.get("name", ()) if (text := row.cell(column)) and text not in _EMPTY]
     names = [texts[role] for role in ("name",) if role in texts] + further
     names += [texts[role] for role in ("printed_name", "label") if role in texts]
     noted = [columns_of_sheet.places[NOTE]] if NOTE in columns_of_sheet.places else []
-    notes = tuple(
-        (columns_of_sheet.heading_at(column), row.cell(column))
-        for column in (
-            *noted,
-            *further_columns.get(NOTE, ()),
-            *(n for role in FURTHER for n in further_columns.get(role, ())),
-        )
-        if row.cell(column) and row.cell(column) not in (*_EMPTY, *(texts.get(role) for role in FURTHER))
+    notes = (
+        *((f"Comment of {place}", text) for place, text in comments.get(row.number, ())),
+        *(
+            (columns_of_sheet.heading_at(column), row.cell(column))
+            for column in (
+                *noted,
+                *further_columns.get(NOTE, ()),
+                *(n for role in FURTHER for n in further_columns.get(role, ())),
+            )
+            if row.cell(column) and row.cell(column) not in (*_EMPTY, *(texts.get(role) for role in FURTHER))
+        ),
     )
     has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
     return Cells(row.number, texts, tuple(names), notes, has_factors)
@@ -360,7 +377,7 @@ def _bits_beneath(register_list: Listing) -> Iterator[ListRow]:
     """Rows of bits without an address, which stand at -1 until the register above is known."""
     for row in register_list.places.skipped:
         texts = {role: text for role in register_list.columns.places if (text := register_list.columns.cell(row, role))}
-        cells = _cells(register_list.columns, row, texts)
+        cells = _cells(register_list.columns, row, texts, {})
         match = next((match for name in cells.names if (match := _BIT_NAME.fullmatch(name))), None)
         list_row = read_row(cells, POINT, "")
         if list_row.bits is not None and "bit" in texts and cells.names:

@@ -13,12 +13,13 @@ from fieldspec.foundation.spreadsheet import clean
 from fieldspec.tools.lists.addresses import address_text
 from fieldspec.tools.lists.cells import space
 from fieldspec.tools.lists.column_roles import Columns
-from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
+from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import headed_columns, joined_columns
 from fieldspec.tools.lists.workbook_size import used_area
 
 if TYPE_CHECKING:
     from openpyxl.cell.cell import Cell, MergedCell
+    from openpyxl.comments import Comment
     from openpyxl.worksheet.worksheet import Worksheet
 
 MAGIC = b"PK\x03\x04"
@@ -91,6 +92,8 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
     parts: list[Columns] = []
     spaces: dict[int, str] = {}
     refused: dict[int, str] = {}
+    comments: dict[int, tuple[tuple[str, str], ...]] = {}
+    hidden: list[str] = []
     before = 0
     for number, table in tables.items():
         sheet = sheets[number]
@@ -99,6 +102,8 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
         parts.append(replace(table, rows=tuple(SheetRow(before + row.number, row.cells) for row in table.rows)))
         spaces |= dict.fromkeys((row.number for row in parts[-1].rows), space(sheet.name))
         refused |= {before + number: reason for number, reason in sheet.refused.items()}
+        comments |= {before + number: texts for number, texts in sheet.comments.items()}
+        hidden += [f"{place} of {sheet.name}" for place in sheet.hidden]
         before += sheet.lines
     joined = reduce(joined_columns, parts)
     heading = SheetRow(max(joined.rows[0].number - 1, 1), (*joined.headings, "space"))
@@ -107,7 +112,8 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
         for row in joined.rows
     ]
     ordered = sorted([*above, heading, *rows], key=lambda row: row.number)
-    return Sheet(tuple(ordered), before, joined=tuple(sheets[number].name for number in tables), refused=refused)
+    names = tuple(sheets[number].name for number in tables)
+    return Sheet(tuple(ordered), before, joined=names, refused=refused, comments=comments, hidden=tuple(hidden))
 
 
 def _worksheets(content: bytes, formulas: bool) -> list[Worksheet]:
@@ -127,6 +133,7 @@ def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
     rows = []
     formulas = set()
     refused = {}
+    comments = {}
     lines = sheet.iter_rows(max_row=last_row, max_col=last_column) if last_row and last_column else ()
     for number, row in enumerate(lines, 1):
         cells = []
@@ -134,11 +141,32 @@ def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
             if cell.data_type == "f":
                 formulas.add((number, column))
             cells.append(_cell_in_format(cell) or merged.get((number, column), ""))
+        if texts := tuple((cell.coordinate, _comment_text(cell.comment)) for cell in row if cell.comment):
+            comments[number] = texts
         if any(cells):
             rows.append(SheetRow(number, tuple(cells)))
             if all(cell.font.strike for cell in row if cell.value is not None):
                 refused[number] = "is struck out"
-    return Sheet(tuple(rows), max(last_row, 1), str(sheet.title), frozenset(formulas), refused=refused)
+    numbers = {row.number for row in rows}
+    hidden = [f"row {number}" for number, row in sheet.row_dimensions.items() if row.hidden and number in numbers]
+    for column in sheet.column_dimensions.values():
+        span = range(column.min or 0, min(column.max or 0, last_column) + 1) if column.hidden else ()
+        hidden += [f"column {letters(number)}" for number in span if any(row.cell(number - 1) for row in rows)]
+    return Sheet(
+        tuple(rows),
+        max(last_row, 1),
+        str(sheet.title),
+        frozenset(formulas),
+        refused=refused,
+        comments=comments,
+        hidden=tuple(hidden),
+    )
+
+
+def _comment_text(comment: Comment) -> str:
+    """The text of a comment, without its author and what Excel says above one of a thread."""
+    _, _, threaded = comment.text.partition("\nComment:\n")
+    return clean((threaded or comment.text).strip().removeprefix(f"{comment.author}:").strip())
 
 
 def _merged_texts(sheet: Worksheet) -> dict[tuple[int, int], str]:
