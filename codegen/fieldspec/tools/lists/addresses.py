@@ -33,9 +33,6 @@ _SPAN = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|-|至|\bto\b|\bbis\b)\s*", re.I
 _SEVERAL = re.compile(r"\s*(?:[,;&+]|\band\b|\bund\b)\s*", re.IGNORECASE)
 _BREAK = re.compile(r"\s*<br\s*/?>\s*", re.IGNORECASE)
 _NAMED = re.compile(r"(?:reg(?:ister)?s?|addr?(?:ess)?|%?([a-z]{1,3}))\.?\s?(?=[0-9])", re.IGNORECASE)
-_OF_BYTES = re.compile(r"%[a-z](?:b|d|l|w?x)(?=[0-9])", re.IGNORECASE)
-_BIT_OF_BYTE = re.compile(r"%(?:[iqm]|[iq]x)[0-9]+\.[0-7]", re.IGNORECASE)
-"""Places in the memory of a controller that are not counted in words, and not alike by all controllers."""
 
 _HALF = re.compile(
     r"(.*[0-9a-f]h?)(?:_(l|h|lo|hi|low|high)|[\s_(\[]*(?:(lo|low|hi|high)[\s_-]*byte|([lm]sb)))\s*[)\]]?", re.IGNORECASE
@@ -45,7 +42,7 @@ _LETTERED = re.compile(r"[a-z]?([0-9]{1,10})", re.IGNORECASE)
 _AREA = re.compile(r"([^\W\d_]{2,}(?:[ _-][^\W\d_]+)*)[ _.:#-]*(?=[0-9])")
 _PAIR = re.compile(r"(.+?)\s*[(\[/=|]\s*([^()\[\]]+?)\s*[)\]]?")
 _BITS = re.compile(
-    r"(.*?[0-9a-f]h?)\s*(?:[.:]\s*b?(?:it)?\s?|\s*,?\s*bits?\s*|\[)([0-9]{1,2})(?:\s*(?:-|~|\.\.|to|:)\s*b?([0-9]{1,2}))?\]?",
+    r"(.*?[0-9a-f]h?)\s*(?:[.:]\s*(?:b(?:it)?|x)?\s?|\s*,?\s*bits?\s*|\[)([0-9]{1,2})(?:\s*(?:-|~|\.\.|to|:)\s*b?([0-9]{1,2}))?\]?",
     re.IGNORECASE,
 )
 _IN_BRACKETS = re.compile(r"\[([^\[\]]+)\]")
@@ -64,7 +61,7 @@ class AddressText:
     """An address: its digits, and how its prefix or suffix says to read them: `hex`, `4xxxx`, or empty.
 
     `area` is the name of an area of memory before the digits, `space` the address space that it names; both are empty
-    if there is none.
+    if there is none. `X10` may be an area, or a mark: it has both.
     """
 
     digits: str
@@ -83,7 +80,9 @@ class AddressText:
         return self.lettered and not self.area and _LETTERED.fullmatch(self.digits) is not None
 
     def behind_area(self) -> AddressText:
-        """The decimal number after the letter of an area: `C3` is the coil 3."""
+        """The decimal number after the letter of an area: `C3` is the coil 3, and `X3` an input of a controller."""
+        if self.mark:
+            return replace(self, mark="")
         return AddressText(self.digits[1:], "", meaning("spaces", self.digits[0]), self.digits[0])
 
     def reference(self) -> tuple[str, int] | None:
@@ -133,13 +132,11 @@ def address_text(text: str) -> AddressText | None:
     space = area = ""
     if not _DIGITS.fullmatch(text):
         if marked := _HEX.fullmatch(text):
-            return AddressText(marked[1] or marked[2], HEXADECIMAL)
+            return AddressText(marked[1] or marked[2], HEXADECIMAL, "", text[0] if text[0] in "xX" else "")
         if halves := _HALVES.fullmatch(text):
             return AddressText(halves[1] + halves[2], HEXADECIMAL)
         if table := _TABLE.fullmatch(text):
             return AddressText(table[2] or table[4], REFERENCE, TABLES[table[1] or table[3]])
-        if _OF_BYTES.match(text):
-            return None
         prefix, words = _NAMED.match(text), _AREA.match(text)
         if prefix and (prefix[1] or "").casefold() not in _NO_AREA:
             area = prefix[1]
@@ -187,11 +184,6 @@ def place(text: str) -> Place | None:
         if first is not None and other is not None:
             return _span([first, other], True) if _follows(first, other) else Place(first, other=other)
     return None
-
-
-def count_bytes(texts: Sequence[str]) -> bool:
-    """Whether texts are places in the memory of a controller that counts bytes: `%I0.7` beside `%IW64`."""
-    return any(_BIT_OF_BYTE.fullmatch(text.strip()) for text in texts)
 
 
 def are_of_two_bytes(texts: Sequence[str]) -> bool:

@@ -27,6 +27,15 @@ def are_no_types(rows: Sequence[SheetRow], column: int) -> bool:
     return are_spaces or all(map(cells.access, texts))
 
 
+def are_of_memory(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether a column has only places in the memory of a controller: `D100`, `%MW10`, `X3`."""
+    addresses = [(text, address_text(text)) for row in rows if (text := row.cell(column))]
+    return all(
+        text[0] == "%" or (address is not None and not address.space and bool(address.area or address.prefixed))
+        for text, address in addresses
+    )
+
+
 def counts_on(rows: Sequence[SheetRow], column: int) -> bool:
     """Whether a column has numbers that rise from row to row, or have the mark of addresses: it adds to no value."""
     texts = [text for row in rows if (text := row.cell(column))]

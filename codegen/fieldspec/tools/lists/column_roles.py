@@ -17,6 +17,7 @@ from fieldspec.tools.lists.column_contents import (
     are_exponents,
     are_lengths,
     are_no_types,
+    are_of_memory,
     are_of_parts,
     are_ranks,
     counts_on,
@@ -162,6 +163,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
                 and (len(sample) == 1 or len({row.cell(column) for row in sample}) > 1)
             ] or columns
             columns = [column for column in columns if not folded(headings[column]).endswith("offset")] or columns
+            columns = [column for column in columns if not are_of_memory(sample, column)] or columns
             if not names:
                 main = [places["address"]] if "address" in places else columns[:1]
                 columns = [column for column in columns if column in main or _has_addresses_of(sample, main[0], column)]
@@ -186,6 +188,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
             column
             for column in ranked(heads, words("headings")["address"], used_columns)
             if has_role("name", [text for row in sample if (text := row.cell(column))], False)
+            and not are_of_memory(sample, column)
         ]
         labels += ranked(heads, words("headings")["label"], {*used_columns, *labels})
         if labels := [column for column in labels if not repeats(sample, column)] or labels[:1]:

@@ -38,6 +38,9 @@ _OF_BITS = re.compile(r"^bits?$|bitfield|bitmap|bitmask|flags?$|flags?[0-9]|bits
 _WIDE = 4
 """The bytes of the registers of most chips."""
 
+_OF_WORDS = re.compile(r"%?(?:m|v|db)w[0-9]+$", re.IGNORECASE)
+"""Words in the memory of a controller, which has one for all kinds of data."""
+
 _FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "°")
 """The units in whose parts devices measure."""
 
@@ -61,7 +64,7 @@ def decided(
     heading = columns_of_sheet.heading("words") if "words" in columns_of_sheet.places else ""
     unit, length_assumption = directions.length_unit(heading, sizes, options.length)
     if not options.address_unit:
-        _refuse_bytes(rows, numbers, gaps, unit)
+        _refuse_bytes(rows, numbers, gaps, unit, assumptions)
     decided = _with_elements([_with_length(row, unit) for row in rows], columns_of_sheet, assumptions)
     role = next((role for role in FACTORS if role in columns_of_sheet.places), "scale")
     bare_rows = [row for row in decided if row.factor is not None and not row.is_times]
@@ -152,8 +155,19 @@ def _with_exponents_apart(rows: Sequence[ListRow]) -> list[ListRow]:
     ]
 
 
-def _refuse_bytes(rows: Sequence[ListRow], numbers: Sequence[int | None], gaps: Sequence[int], unit: str) -> None:
-    """Raises ListError for addresses that lie apart as bytes do."""
+def _refuse_bytes(
+    rows: Sequence[ListRow],
+    numbers: Sequence[int | None],
+    gaps: Sequence[int],
+    unit: str,
+    assumptions: list[Assumption],
+) -> None:
+    """Raises ListError for addresses that lie apart as bytes do, and for even ones of words in a controller's memory,
+    which no odd one shows to count words."""
+    of_words = [row.texts["address"] for row in rows if _OF_WORDS.match(row.texts["address"])]
+    odd = next((text for text in of_words if text[-1] in "13579"), "")
+    if odd:
+        assumptions.append(Assumption("addresses", "words of a memory", f"`{odd}` is odd", "--address-unit"))
     sizes = [
         row.length * LENGTHS["bytes"] // LENGTHS[unit] if row.length else row.type.bytes if row.type else 0
         for row in rows
@@ -169,6 +183,10 @@ def _refuse_bytes(rows: Sequence[ListRow], numbers: Sequence[int | None], gaps: 
         and (not pairs or max(size for _, size in pairs) == _WIDE)
     ):
         evidence = f"all are multiples of {_WIDE}, as of registers of {_WIDE} bytes"
+    elif of_words and not odd:
+        evidence = (
+            f"`{of_words[0]}` is in a memory whose words some controllers count by their bytes, and no number is odd"
+        )
     else:
         return
     raise ListError(

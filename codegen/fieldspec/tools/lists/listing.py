@@ -20,15 +20,14 @@ from fieldspec.tools.lists.entries import SPACES
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
 from fieldspec.tools.lists.exported_rows import OF_THE_MANUAL, exported_row, uncited
 from fieldspec.tools.lists.heading_words import NOTE
+from fieldspec.tools.lists.memories import assumed_areas, unknown_areas
 from fieldspec.tools.lists.numbering import (
     Placed,
-    assumed_areas,
     bases,
     contradictions,
     is_reference_of_other,
     placed,
     shortened_bits,
-    unknown_areas,
     wire_number,
 )
 from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_subindices_apart
@@ -132,7 +131,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     if own:
         cited = {role: columns_of_sheet.headings.index(role) for role in OF_THE_MANUAL}
         columns_of_sheet = replace(columns_of_sheet, places={**columns_of_sheet.places, **cited})
-    assumptions += [*shortened_bits(places), *assumed_areas(places)]
+    assumptions += [*shortened_bits(places), *assumed_areas(places.rows)]
     if places.wire_heading:
         evidence = "other columns have their references, or count from 1"
         assumptions.append(Assumption("addresses", f"as in {places.wire_heading}", evidence, "--address"))
@@ -199,7 +198,9 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         space = area or row.space or cells.space(sheet.name)
         read.append(replace(row, bits=row_place.bits or row.bits, space=space))
     read = with_spaces(read, sheet, assumptions)
-    unknown = list(unknown_areas(places, {row.row: row.space for row in read}, columns_of_sheet.heading("address")))
+    unknown = list(
+        unknown_areas(places.rows, {row.row: row.space for row in read}, columns_of_sheet.heading("address"))
+    )
     refused += unknown
     refused_rows = {refusal.row for refusal in unknown}
     read = [row for row in read if row.row not in refused_rows]

@@ -149,9 +149,9 @@ def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
                 refused[number] = "is struck out"
     numbers = {row.number for row in rows}
     hidden = [f"row {number}" for number, row in sheet.row_dimensions.items() if row.hidden and number in numbers]
-    for column in sheet.column_dimensions.values():
-        span = range(column.min or 0, min(column.max or 0, last_column) + 1) if column.hidden else ()
-        hidden += [f"column {letters(number)}" for number in span if any(row.cell(number - 1) for row in rows)]
+    for dimension in sheet.column_dimensions.values():
+        span = range(dimension.min or 0, min(dimension.max or 0, last_column) + 1) if dimension.hidden else ()
+        hidden += [f"column {letters(column)}" for column in span if any(row.cell(column - 1) for row in rows)]
     return Sheet(
         tuple(rows),
         max(last_row, 1),
