@@ -41,6 +41,9 @@ _WIDE = 4
 _OF_WORDS = re.compile(r"%?(?:m|v|db)w[0-9]+$", re.IGNORECASE)
 """Words in the memory of a controller, which has one for all kinds of data."""
 
+_TEXT, _CHARACTERS = "text", "char"
+"""The type of texts, and the beginning of the types that a list has for their characters."""
+
 _FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "°")
 """The units in whose parts devices measure."""
 
@@ -65,7 +68,7 @@ def decided(
     unit, length_assumption = directions.length_unit(heading, sizes, options.length)
     if not options.address_unit:
         _refuse_bytes(rows, numbers, gaps, unit, assumptions)
-    decided = _with_elements([_with_length(row, unit) for row in rows], columns_of_sheet, assumptions)
+    decided = _with_elements([_with_length(row, unit) for row in rows], gaps, columns_of_sheet, assumptions)
     role = next((role for role in FACTORS if role in columns_of_sheet.places), "scale")
     bare_rows = [row for row in decided if row.factor is not None and not row.is_times]
     factors = [row.factor for row in bare_rows if row.factor is not None]
@@ -195,21 +198,42 @@ def _refuse_bytes(
     )
 
 
-def _with_elements(rows: list[ListRow], columns_of_sheet: Columns, assumptions: list[Assumption]) -> list[ListRow]:
+def _with_elements(
+    rows: list[ListRow], gaps: Sequence[int], columns_of_sheet: Columns, assumptions: list[Assumption]
+) -> list[ListRow]:
     """The rows, with counts as their lengths where each is the number of words of its type, or that of a text without
-    a length: no value is repeated. Beside strides, they count values."""
-    rows_with_counts = [
-        row for row in rows if "count" in row.texts and row.words is None and row.type and row.type.name
-    ]
-    if any("stride" in row.texts for row in rows_with_counts):
+    a length: no value is repeated. They are characters of the type `char`, and of a text whose next address is nearer.
+    Beside strides, they count values."""
+    counted = {
+        row.row: row.type for row in rows if "count" in row.texts and row.words is None and row.type and row.type.name
+    }
+    sized = [row for row in rows if row.row in counted and counted[row.row].size]
+    are_elements = any(row.count != counted[row.row].size for row in sized)
+    of_characters = {
+        row.row
+        for row, gap in zip(rows, gaps, strict=True)
+        if row.row in counted
+        and counted[row.row].name == _TEXT
+        and row.count > 1
+        and (0 < gap < row.count or folded(row.texts["type"]).startswith(_CHARACTERS))
+    }
+    of_words = {number for number, own_type in counted.items() if own_type.name == _TEXT or not are_elements}
+    if any("stride" in row.texts for row in rows if row.row in counted):
         return rows
-    sized = [row for row in rows_with_counts if row.type is not None and row.type.size]
-    if all(row.count == 1 for row in rows_with_counts) or any(row.type and row.count != row.type.size for row in sized):
-        return rows
-    heading = columns_of_sheet.heading("count")
-    assumptions.append(Assumption(heading, "lengths in words", "each is that of the type", "--column words"))
-    numbers = {row.row for row in rows_with_counts}
-    return [replace(row, words=row.count, count=1) if row.row in numbers else row for row in rows]
+    for readings, reading, evidence in (
+        (of_words - of_characters, "lengths in words", "each is that of the type, or of a text"),
+        (of_characters, "characters of texts", "their types and their next addresses"),
+    ):
+        if any(row.count > 1 for row in rows if row.row in readings):
+            assumptions.append(Assumption(columns_of_sheet.heading("count"), reading, evidence, "--column words"))
+    result = []
+    for row in rows:
+        if row.row in of_characters:
+            row = replace(row, type=replace(counted[row.row], length=row.count), count=1)
+        elif row.row in of_words:
+            row = replace(row, words=row.count, count=1)
+        result.append(row)
+    return result
 
 
 def _with_length(row: ListRow, unit: str) -> ListRow:
