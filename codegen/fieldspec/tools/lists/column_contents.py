@@ -86,8 +86,9 @@ def is_place(text: str) -> bool:
 
 
 def _is_word_of_other(text: str) -> bool:
-    """Whether a text is one of a column of functions, accesses, or directions of factors."""
-    return cells.functions(text) is not None or bool(cells.access(text) or meaning("operators", text))
+    """Whether a text is one of a column of functions, accesses, address spaces, or directions of factors."""
+    is_word = cells.access(text) or cells.space(text) or meaning("operators", text)
+    return cells.functions(text) is not None or bool(is_word)
 
 
 _CONTENTS: dict[str, Callable[[str], object]] = {
@@ -119,6 +120,7 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
 _MOST_PLACES, _LONGEST = 9, 1000
 _FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {
     "type": typed,
+    "space": cells.space,
     "places": lambda text: decimal_places(text) is not None and int(decimal_places(text) or 0) <= _MOST_PLACES,
     "scale": lambda text: re.fullmatch(r"0[.,]0*1|1|10+", text),
     "values": lambda text: value_meanings(text) is not None,
@@ -153,8 +155,9 @@ def role_by_cells(texts: Sequence[str], existing: Set[str], repeats: bool) -> st
     if len(texts) < _FEWEST:
         return ""
     for role, check in BY_CELLS.items():
+        is_list = role == "unit" and all(len(text) == 1 and text.isalpha() for text in texts) and len({*texts}) > 2
         if role not in existing and all(map(check, texts)) and not all(folded(text) in _NO_SPACES for text in texts):
-            return role
+            return role if not is_list else ""
     known = sum(bool(scaled_unit(text, cells.COMMA) or known_unit(text) or cells.bounds(text)) for text in texts)
     known += sum(value_meanings(text) is not None for text in texts)
     if _MOST_OF_MIXED * len(texts) <= known * _MIXED_OF and existing.isdisjoint(("unit", "values", "range")):

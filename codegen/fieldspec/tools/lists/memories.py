@@ -83,6 +83,12 @@ def unknown_areas(rows: PlacedRows, spaces: Mapping[int, str], heading: str) -> 
     """The rows with the name of an area beside others, where neither it nor `spaces` says which address space it is."""
     firsts = [row_place.first for _, row_place in rows]
     areas = {first.area.casefold() for first in firsts if first.area and not first.mark}
+    bare = [first for first in firsts if not (first.mark or first.area)]
+    has_bare = bool(bare) and not any(first.lettered for first in bare)
+    for row, row_place in rows if has_bare else ():
+        if row_place.first.area and row_place.first.mark:
+            reason = "is hexadecimal, or stands for more than a number, beside numbers without the letter; write `0x`"
+            yield Refusal(row.number, heading, f"{row_place.first.area}{row_place.first.digits}", reason)
     for row, row_place in rows if len(areas) > 1 else ():
         first = row_place.first
         if first.area and not (first.mark or first.space or spaces.get(row.number)):

@@ -61,6 +61,9 @@ COUNT = re.compile(
 )
 """The count in a formula within a text."""
 
+_SCALE_BEHIND = re.compile(r"(?<=\S)\s+[*x\u00d7]\s?(0[.,]0*1)$", re.IGNORECASE)
+"""A part of ten after its sign at the end of a description: `Grid voltage x0.1`."""
+
 _TIMES = re.compile(r"^\s*[*x\u00d7]\s*", re.IGNORECASE)
 _BEHIND_RANGE = re.compile(r"(?:(?<=[0-9])[^\s0-9.,xX]|(?<=[0-9]) [^\s0-9])[^\s0-9]*$")
 _LABEL = re.compile(
@@ -241,6 +244,8 @@ def _described(text: str, decimal: str) -> Quantity | None:
     after_word = _UNIT.fullmatch(text.strip())
     if after_word and (unit := known_unit(after_word[1])):
         return Quantity(unit=unit)
+    if own_scale := _SCALE_BEHIND.search(text):
+        return Quantity(Fraction(own_scale[1].replace(",", ".")))
     if (fraction := _FRACTION.search(text)) and (unit := known_unit(fraction[2].strip(".,;)"))):
         return Quantity(Fraction(1, 10 if fraction[1] else 100), unit if unit != "°" else "")
     scaled_pieces = [unit_cell(piece, decimal) for piece in pieces] if len(pieces) > 1 else []

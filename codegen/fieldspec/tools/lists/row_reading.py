@@ -31,6 +31,7 @@ _SIGNLESS = ("word", "dword", "uint", "byte", "short", "long", "int", "int16", "
 """The types beside which another column may say that they have a sign, or none."""
 
 _BIT = re.compile(r"bit\s*([0-9]{1,2})", re.IGNORECASE)
+_DIGIT = re.compile("[0-9]")
 _VALUE_WORD = re.compile(r"^values?\s+(?=[-0-9])", re.IGNORECASE)
 _HIGHEST_COUNT = 0xFFFFFFFF
 _WORD_BITS = 16
@@ -230,8 +231,13 @@ def _type(texts: Mapping[str, str], described: Sequence[str], doubts: list[str])
         asides = (parted(texts.get(role, ""))[1] for role in roles)
         type_texts = ["" if known_unit(unit) else unit, *asides, *described]
         words_of_types = [word for side in type_texts if (word := typed(side)) is not None and not word.aside]
-        pieces = (piece for text in described for piece in re.split(r"[,;]", text) if meaning("loose_types", piece))
-        signs = (word for piece in pieces if (word := typed(piece)) is not None and word.kind is Loose.WHOLE)
+        pieces = [piece for text in described for piece in re.split(r"[,;]", text)]
+        signs = (
+            word
+            for piece in pieces
+            if (word := typed(piece)) is not None
+            and (word.kind is Loose.WHOLE if meaning("loose_types", piece) else word.name and _DIGIT.search(piece))
+        )
         own_type = next(iter((*words_of_types, *signs)), None)
     signed_text = texts.get("signed", "")
     if not signed_text:

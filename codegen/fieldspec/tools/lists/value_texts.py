@@ -23,7 +23,7 @@ _SIGNS = ("=", ":", "->", "→", "\u2013")
 _ENDS = (",", ";", "/", "|", "\n")
 """What stands after the name of a bit that only a blank parts from its number: `b0 ready, b1 warn`."""
 
-_BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}:[ \[(]*")
+_BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}[:.][ \[(]*")
 """What may stand before the first value: `Condition: 0 = off`."""
 
 _FURTHER = re.compile(r"[/;,|\n]\s*[0-9]{1,4}\s?[.:=)]\s?[^\W\d]")
