@@ -44,6 +44,9 @@ _NOTATIONS = ("hex", "dec", "decimal", "hexadecimal", "index", "offset", "start"
 _SHORTEST_SPACE, _SHORT_SPACES = 4, ("hr", "ir", "3x", "4x")
 """The fewest letters of an address space that heads its addresses, and the shorter names that nothing else has."""
 
+_USUAL = (0, 1, 10000, 30000, 40000, 10001, 30001, 40001, 100000, 300000, 400000, 100001, 300001, 400001)
+"""The differences between the notations of an address, of which a single row is enough."""
+
 _FEWEST_ROLES = 3
 """The fewest columns with roles, and rows, so that another column is that of addresses by its cells."""
 
@@ -260,7 +263,8 @@ def _has_addresses_of(rows: Sequence[SheetRow], column: int, further_column: int
     for base, other_base in product((DECIMAL, HEXADECIMAL), repeat=2):
         numbers = [(first.number(base), other.number(other_base)) for first, other in pairs if first and other]
         differences = Counter(b - a for a, b in numbers if a is not None and b is not None)
-        if max(differences.values(), default=0) * 2 > len(pairs):
+        (usual, times), *_ = differences.most_common(1) or [(0, 0)]
+        if times * 2 > len(pairs) and (abs(usual) in _USUAL or times >= _FEWEST_ROLES):
             return True
     return not pairs
 

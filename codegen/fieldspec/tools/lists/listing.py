@@ -14,7 +14,7 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place, address_text
 from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
 from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign
-from fieldspec.tools.lists.column_roles import FURTHER, Columns, headings_text
+from fieldspec.tools.lists.column_roles import FURTHER, Columns, address_rank, headings_text
 from fieldspec.tools.lists.decisions import decided
 from fieldspec.tools.lists.entries import SPACES
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
@@ -34,10 +34,11 @@ from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
 from fieldspec.tools.lists.row_reading import Cells, ListRow, read_row
 from fieldspec.tools.lists.row_spaces import titled_order, titles, unread_texts, with_spaces
-from fieldspec.tools.lists.shapes import BIT, with_elements
+from fieldspec.tools.lists.shapes import BIT, with_elements, with_numbers_of_names
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns, without_numbers
 from fieldspec.tools.lists.type_words import Loose
+from fieldspec.tools.lists.unrolled import matrix, side_by_side
 from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import meaning
 
@@ -107,22 +108,19 @@ class Listing:
                 refused.append(Refusal(row.row, heading, cell, "begins at the second byte of a register"))
             else:
                 rows.append(whole if row.is_own else with_elements(whole, SPACES.get(whole.space, False)))
-        return _with_gaps(_with_bits_beneath(rows, self)), refused
+        rows = _with_gaps(_with_bits_beneath(rows, self))
+        if not self.own:
+            rows = [with_numbers_of_names(row, SPACES.get(row.space, False)) for row in rows]
+        return rows, refused
 
 
 def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NOTHING) -> Listing:
     """The list in a sheet. `names` has the columns of some roles. Raises ListError if the sheet is not a list."""
-    sheet = without_numbers(sheet)
-    columns_of_sheet = columns(with_subindices_apart(sheet), names)
-    if not names and {*columns_of_sheet.places} <= {"address", "space"} and len(columns_of_sheet.unused()) > 1:
-        raise ListError(
-            f"has addresses under {columns_of_sheet.heading('address')}, and no other column that is understood "
-            f"({headings_text(columns_of_sheet.headings)}); name the column of addresses with --address"
-        )
+    assumptions: list[Assumption] = []
+    sheet, columns_of_sheet = _with_columns(without_numbers(sheet), names, assumptions)
     first_row = columns_of_sheet.rows[0].number
     own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
     refused: list[Refusal] = []
-    assumptions: list[Assumption] = []
     has_objects = False
     if not own:
         columns_of_sheet, has_objects = with_objects(columns_of_sheet, options.base, refused, assumptions)
@@ -233,6 +231,32 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         own,
         options.address_unit == "bytes",
     )
+
+
+def _with_columns(sheet: Sheet, names: Mapping[str, str], assumptions: list[Assumption]) -> tuple[Sheet, Columns]:
+    """A sheet with a row for each register, and its columns. Raises ListError where none has addresses."""
+    if names:
+        return sheet, columns(with_subindices_apart(sheet), names)
+    sheet = side_by_side(sheet, assumptions)
+    fault = None
+    try:
+        found = columns(with_subindices_apart(sheet), names)
+    except ListError as error:
+        fault = error
+    else:
+        heading = found.heading("address")
+        if {*found.places} <= {"address", "space"} and len(found.unused()) > 1:
+            fault = ListError(
+                f"has addresses under {heading}, and no other column that is understood "
+                f"({headings_text(found.headings)}); name the column of addresses with --address"
+            )
+        elif address_rank(heading):
+            return sheet, found
+    if (unrolled := matrix(sheet, assumptions)) is not None:
+        return unrolled, columns(unrolled, names)
+    if fault is not None:
+        raise fault
+    return sheet, found
 
 
 def _refuse_codes(rows: Sequence[ListRow], places: Placed, columns_of_sheet: Columns) -> None:

@@ -14,7 +14,7 @@ from fieldspec.tools.lists.cells import functions
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import Sheet
 from fieldspec.tools.lists.type_words import described_order
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import folded, pattern
 
 _FUNCTION = re.compile(
     r"\b(?:function(?: code)?|fc|функция|funktion|función|fonction|funzione) ?((?:0x)?0?[1-6])\b", re.IGNORECASE
@@ -33,7 +33,6 @@ _NUMBERING = re.compile(
     r"(?:0|1|zero|one)\b|\b(?:1|eins) (?:abzieh|abzuzieh|subtrah|weniger|kleiner)|[a-z] ?[-\u2013] ?1\b|[减減] ?[1一]",
     re.IGNORECASE,
 )
-_OF_ADDRESSES = re.compile(r"regist|addres|adress|direcci|indirizz|endere|地址|寄存器|アドレス", re.IGNORECASE)
 _SCALED = re.compile(
     r"(?:\b1/10+|\b0[.,]0{0,3}1) ?(?:°|%|[a-z]{1,3}\b)|[x\u00d7*÷/] ?10+(?![0-9])|\btenths? of|\bzehntel", re.IGNORECASE
 )
@@ -67,7 +66,9 @@ def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) ->
 
 def unread_texts(sheet: Sheet, used: Set[int], has_factors: bool) -> Iterator[Assumption]:
     """The assumptions about texts beside the rows of a list that say how its addresses count, or which scales hold."""
-    texts = (text for text in _texts_beside(sheet, used) if _OF_ADDRESSES.search(text) and _NUMBERING.search(text))
+    texts = (
+        text for text in _texts_beside(sheet, used) if pattern("of_addresses").search(text) and _NUMBERING.search(text)
+    )
     if text := next(texts, ""):
         evidence = f"`{text[:_LONGEST_QUOTE]}` may say that they count otherwise"
         yield Assumption("addresses", "those that are written", evidence, "--offset")

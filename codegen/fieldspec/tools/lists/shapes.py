@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import re
+
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.type_words import UNSIGNED, Loose
 
 BIT = "bit"
+
+_NUMBERS = re.compile(
+    r"(.*[^\W\d_])[\s_#(\[]*(?<![0-9.])([0-9]{1,2})\s*(?:\.\.+|-|\u2013|~|…|\bto\b|\bbis\b)\s*([0-9]{1,2})[)\]]?",
+    re.IGNORECASE,
+)
+"""A name with the first and the last number of its values."""
 
 _MOST_WORDS = 4
 """The most words of a number."""
@@ -70,6 +78,23 @@ def with_elements(row: ListRow, in_bits: bool) -> ListRow:
     if size and length > 1 and row.count == 1 and row.words in (None, length * size):
         return replace(row, words=size, count=length)
     return row
+
+
+def with_numbers_of_names(row: ListRow, in_bits: bool) -> ListRow:
+    """A row whose name has the numbers of several values, as `Temperature 1..8`: a count where they reach up to the
+    next address, else a doubt."""
+    span = _NUMBERS.fullmatch(row.names[0]) if row.names else None
+    if span is None or row.bits is not None or row.count > 1:
+        return row
+    first, last = int(span[2]), int(span[3])
+    size = shape(row, in_bits).words
+    if last > first and row.gap == (last - first + 1) * size:
+        texts = {**row.texts, "first": str(first)}
+        return replace(row, count=last - first + 1, names=(span[1], *row.names[1:]), texts=texts)
+    if last <= first or row.words == last - first + 1:
+        return row
+    doubt = f"The name has the numbers {first} to {last}, and the list has one value."
+    return replace(row, doubts=(*row.doubts, doubt))
 
 
 def _of_length(name: str, words: int) -> str:

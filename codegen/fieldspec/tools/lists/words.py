@@ -42,6 +42,12 @@ def meaning(table: str, text: str) -> str:
 
 
 @cache
+def pattern(name: str) -> re.Pattern[str]:
+    """The pattern of the words, in all languages, that texts use for something."""
+    return re.compile("|".join(words("patterns")[name]), re.IGNORECASE)
+
+
+@cache
 def whole_words() -> Mapping[str, str]:
     """The headings that are whole words of a role, with the first such role."""
     return {
