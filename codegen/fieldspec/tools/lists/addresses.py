@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.tools.lists.sheet import CellError
-from fieldspec.tools.lists.words import meaning
+from fieldspec.tools.lists.words import meaning, pattern
 
 HEXADECIMAL, DECIMAL, REFERENCE = "hex", "decimal", "4xxxx"
 BASES = (HEXADECIMAL, DECIMAL, REFERENCE)
@@ -225,6 +225,6 @@ def _follows(first: AddressText, other: AddressText) -> bool:
 def base_of_heading(heading: str) -> str:
     """The base that a heading names, empty if it names none."""
     normalized = unicodedata.normalize("NFKC", heading).casefold()
-    if re.search(r"hex|\(h\)|十六|16\s*[进進]|0x", normalized):
+    if pattern("hexadecimal").search(normalized):
         return HEXADECIMAL
-    return DECIMAL if re.search(r"\bdec|\(d\)|十进|十進|10\s*[进進]|dezimal|décimal", normalized) else ""
+    return DECIMAL if pattern("decimal").search(normalized) else ""

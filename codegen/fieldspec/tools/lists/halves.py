@@ -11,6 +11,7 @@ from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.type_words import Typed
+from fieldspec.tools.lists.words import pattern
 
 _HALF = re.compile(
     r"(?:[\s_(\[,-]+|(?=[高低]))(?P<half>h|l|msw|lsw|(?:high|hi|upper|low|lo|lower)[\s_-]*(?P<word>word|16|half)?"
@@ -18,7 +19,6 @@ _HALF = re.compile(
     re.IGNORECASE,
 )
 _LONGEST_HALF = 30
-_LIMIT = re.compile("alarm|limit|thresh|warn|trip|grenz|schwell|limite|seuil|报警|限", re.IGNORECASE)
 _FACTS = attrgetter("space", "type", "scale", "factor", "offset", "unit", "access", "low", "high")
 _WORDS = 2
 _FEWEST = 2
@@ -97,7 +97,7 @@ def _half(name: str) -> tuple[str, bool]:
         return "", False
     half = match["half"].casefold()
     is_word = bool(match["word"] or match["sign"]) or half in ("msw", "lsw")
-    if not is_word and (len(half) > 1 or _LIMIT.search(name)):
+    if not is_word and (len(half) > 1 or pattern("limit").search(name)):
         return "", False
     return "high" if half[0] in "hmu高" else "low", is_word
 

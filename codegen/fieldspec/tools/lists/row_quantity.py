@@ -22,7 +22,7 @@ from fieldspec.tools.lists.quantities import (
     unit_cell,
 )
 from fieldspec.tools.lists.type_words import typed
-from fieldspec.tools.lists.words import folded, meaning, whole_words, words
+from fieldspec.tools.lists.words import alternatives, folded, meaning, whole_words, words
 
 FACTORS = ("scale", "gain", "divisor")
 """The roles of columns with factors, whose direction a list may leave open."""
@@ -36,29 +36,18 @@ IDLE_SCALES = ("none", "linear")
 _WEIGHT = re.compile(r"(?:value\s+)?weight\s*:?\s*([^\W\d]+)\s*[*x\u00d7]\s*([1-9][0-9]{0,8})", re.IGNORECASE)
 """How many counts are one of a unit: `Value weight: Volt*10`."""
 
-_STEP = re.compile(
-    r"(?:\b(?:in|units? of|steps? of|unit:?|resolution:?|einheit:?)|单位:?|,(?=[^,]*$))"
-    r"\s*((?:0[.,][0-9]{1,4}|1/10+|1)\s?[^\s0-9,;.()]{1,6})",
-    re.IGNORECASE,
-)
-_UNIT = re.compile(r"(?:units?|einheit|unidad|unité|unità|单位|單位)\s*[:=]?\s*(\S{1,8})\.?", re.IGNORECASE)
-_FRACTION = re.compile(
-    r"\b(?:(tenths? of an?|tenths? of|zehntel|decimi di|d[ée]cimas de|dixi[èe]mes? de)"
-    r"|(?:hundredths? of an?|hundredths? of|hundertstel|centesimi di|cent[ée]simas de|centi[èe]mes? de))\s+(\S{1,8})",
-    re.IGNORECASE,
-)
+_STEP = re.compile(alternatives("step") + r"\s*((?:0[.,][0-9]{1,4}|1/10+|1)\s?[^\s0-9,;.()]{1,6})", re.IGNORECASE)
+_UNIT = re.compile(alternatives("unit") + r"\s*[:=]?\s*(\S{1,8})\.?", re.IGNORECASE)
+_FRACTION = re.compile(rf"\b(?:({alternatives('tenth')})|{alternatives('hundredth')})\s+(\S{{1,8}})", re.IGNORECASE)
 _EXAMPLE = re.compile(
-    r"(?:(?:e\.?g\.?|for example|z\.? ?b\.?|beispiel)\s*:?\s*)?([-+]?[0-9]{1,9})(?:\s*-\s*([0-9]{1,9}))?"
-    r"(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→|means|equals|entspricht|bedeutet)"
+    rf"(?:{alternatives('example')}\s*:?\s*)?([-+]?[0-9]{{1,9}})(?:\s*-\s*([0-9]{{1,9}}))?"
+    rf"(?:\s*{alternatives('counts')})?\s*{alternatives('means')}"
     r"\s*\+?(-?[0-9]+(?:[.,][0-9]+)?)(?:\s*-\s*([0-9]+(?:[.,][0-9]+)?))?\s*([^\s0-9][^0-9=;()]{0,15})",
     re.IGNORECASE,
 )
 _ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
 _SENTENCES = re.compile(r"[;\n]|[.,](?=\s|$)")
-COUNT = re.compile(
-    r"\(?\s*(?:raw|reg(?:ister)?|value|val|data|count|wert|rohwert|x|n)(?:[ _]?(?:value|val|data))?\s*[-+*/x\u00d7÷]",
-    re.IGNORECASE,
-)
+COUNT = re.compile(rf"\(?\s*{alternatives('count')}(?:[ _]?(?:value|val|data))?\s*[-+*/x\u00d7÷]", re.IGNORECASE)
 """The count in a formula within a text."""
 
 _SCALE_BEHIND = re.compile(r"(?<=\S)\s+[*x\u00d7]\s?(0[.,]0*1)$", re.IGNORECASE)

@@ -14,27 +14,12 @@ from fieldspec.tools.lists.cells import functions
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import Sheet
 from fieldspec.tools.lists.type_words import described_order
-from fieldspec.tools.lists.words import folded, pattern
+from fieldspec.tools.lists.words import alternatives, folded, pattern
 
-_FUNCTION = re.compile(
-    r"\b(?:function(?: code)?|fc|функция|funktion|función|fonction|funzione) ?((?:0x)?0?[1-6])\b", re.IGNORECASE
-)
-_LOW_WORD = re.compile(
-    r"\blow(?:er)?(?:[ -]order)?[ -](?:word|reg)|least[ -]significant[ -](?:word|reg)|\bLSW\b|little[ -]?endian"
-    r"|(?:word|register)s?[ _-]?swap|swapped|niederwert|poids faible|meno?s? significativ|parola bassa|下位|低字|低位字"
-    r"|młodsz",
-    re.IGNORECASE,
-)
-"""Words of texts that may say that the low word is first."""
-
-_NUMBERING = re.compile(
-    r"\b(?:minus|less|subtract(?:ing)?|(?:reduced?|decremented?|lowered|offset) (?:by|of)|moins|menos|meno) "
-    r"(?:1|one|un[oe]?|um)\b|\b(?:one|zero|1|0)[ -]?based|\b(?:start|begin|count)\w* (?:at|from|with) "
-    r"(?:0|1|zero|one)\b|\b(?:1|eins) (?:abzieh|abzuzieh|subtrah|weniger|kleiner)|[a-z] ?[-\u2013] ?1\b|[减減] ?[1一]",
-    re.IGNORECASE,
-)
+_FUNCTION = re.compile(rf"\b{alternatives('function')} ?((?:0x)?0?[1-6])\b", re.IGNORECASE)
 _SCALED = re.compile(
-    r"(?:\b1/10+|\b0[.,]0{0,3}1) ?(?:°|%|[a-z]{1,3}\b)|[x\u00d7*÷/] ?10+(?![0-9])|\btenths? of|\bzehntel", re.IGNORECASE
+    r"(?:\b1/10+|\b0[.,]0{0,3}1) ?(?:°|%|[a-z]{1,3}\b)|[x\u00d7*÷/] ?10+(?![0-9])|\b" + alternatives("tenth"),
+    re.IGNORECASE,
 )
 _LONGEST_QUOTE = 100
 _PHRASE = 8
@@ -58,7 +43,7 @@ def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) ->
         ((order, text),) = orders.items()
         assumptions.append(Assumption("order of words", order, f"`{text}`", "--order"))
         return order
-    if doubtful := next(filter(_LOW_WORD.search, texts), ""):
+    if doubtful := next(filter(pattern("low_word").search, texts), ""):
         evidence = f"`{doubtful[:_LONGEST_QUOTE]}` is not understood"
         assumptions.append(Assumption("order of words", "ABCD, the high word first", evidence, "--order"))
     return "ABCD" if doubtful else ""
@@ -67,11 +52,15 @@ def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) ->
 def unread_texts(sheet: Sheet, used: Set[int], has_factors: bool) -> Iterator[Assumption]:
     """The assumptions about texts beside the rows of a list that say how its addresses count, or which scales hold."""
     texts = (
-        text for text in _texts_beside(sheet, used) if pattern("of_addresses").search(text) and _NUMBERING.search(text)
+        text
+        for text in _texts_beside(sheet, used)
+        if pattern("of_addresses").search(text) and pattern("numbering").search(text)
     )
     if text := next(texts, ""):
         evidence = f"`{text[:_LONGEST_QUOTE]}` may say that they count otherwise"
         yield Assumption("addresses", "those that are written", evidence, "--offset")
+    elif text := next(filter(pattern("restarting").search, titles(sheet).values()), ""):
+        yield Assumption("addresses", "those that are written", f"`{text[:_LONGEST_QUOTE]}` is not used", "--offset")
     if not has_factors and (text := next(filter(_SCALED.search, titles(sheet).values()), "")):
         yield Assumption("scales", "as each row has them", f"`{text[:_LONGEST_QUOTE]}` is not used")
 
