@@ -51,12 +51,8 @@ def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) ->
 
 def unread_texts(sheet: Sheet, used: Set[int], has_factors: bool) -> Iterator[Assumption]:
     """The assumptions about texts beside the rows of a list that say how its addresses count, or which scales hold."""
-    texts = (
-        text
-        for text in _texts_beside(sheet, used)
-        if pattern("of_addresses").search(text) and pattern("numbering").search(text)
-    )
-    if text := next(texts, ""):
+    of_addresses = filter(pattern("of_addresses").search, _texts_beside(sheet, used))
+    if text := next(filter(pattern("numbering").search, of_addresses), ""):
         evidence = f"`{text[:_LONGEST_QUOTE]}` may say that they count otherwise"
         yield Assumption("addresses", "those that are written", evidence, "--offset")
     elif text := next(filter(pattern("restarting").search, titles(sheet).values()), ""):

@@ -1,7 +1,7 @@
-"""The words of lists, from `words.json`: headings by role, accesses, types, spaces, answers, orders of bytes, units, and
-patterns of texts.
+"""The words of lists, from `words.json`: headings by role, accesses, types, spaces, answers, orders of bytes, units,
+and patterns of texts.
 
-All but the patterns are folded. A heading that begins with `*` is a part of one; a role lists its likeliest heading first.
+All but the patterns are folded. A heading that begins with `*` is a part of one; a role lists its likeliest first.
 """
 
 from __future__ import annotations
