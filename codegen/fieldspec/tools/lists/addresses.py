@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 from fieldspec.foundation.classes import dataclass, replace
@@ -23,6 +23,10 @@ TABLES = {"0": "coils", "1": "discrete_inputs", "3": "input_registers", "4": "re
 _HEX = re.compile(r"(?:0x|&h|\$|16#|h'|x)\s?([0-9a-f]{1,8})'?|([0-9a-f]{1,8})h", re.IGNORECASE)
 _HALVES = re.compile(r"([0-9a-f]{2}) ([0-9a-f]{2})", re.IGNORECASE)
 _BYTES = re.compile("([0-9a-f]{2}), ?([0-9a-f]{2})", re.IGNORECASE)
+_COLON, _BIT_TEXT = re.compile("([0134]):([0-9]{1,5})"), len("4:15")
+"""The digit of a table before an address, and the longest text that may as well be a register with its bit."""
+
+_LOW_BYTE, _BYTE_LETTER = re.compile("[0-9]+L", re.IGNORECASE), re.compile("[0-9]+[HL]", re.IGNORECASE)
 _TABLE = re.compile(r"([0134])x[ -]?([0-9]{5})|([134])x[ -]?([0-9]{1,5})", re.IGNORECASE)
 _DIGITS = re.compile(r"[0-9a-f]{1,10}", re.IGNORECASE)
 _POINTLESS = re.compile(r"([0-9]+)\.0+")
@@ -186,9 +190,22 @@ def place(text: str) -> Place | None:
     return None
 
 
-def are_of_two_bytes(texts: Sequence[str]) -> bool:
-    """Whether all texts have two bytes, as `07,08`, and some of these are not neighbours: each is an address in two
-    bytes, and not a pair of registers."""
+def whole_notation(texts: Sequence[str]) -> Callable[[str], str]:
+    """A function that rewrites the addresses of a list which all of them explain: tables before a colon, `4:101` as
+    `4x00101`, bytes of a register, `100L` as `100_L`, and two bytes, `07,08` as `07 08`."""
+    texts = [text.strip() for text in texts]
+    if all(map(_COLON.fullmatch, texts)) and any(len(text) > _BIT_TEXT for text in texts):
+        return lambda text: _COLON.sub(lambda match: f"{match[1]}x{match[2]:0>5}", text.strip())
+    if any(map(_LOW_BYTE.fullmatch, texts)) and all(map(_BYTE_LETTER.fullmatch, texts)):
+        return lambda text: f"{text.strip()[:-1]}_{text.strip()[-1]}"
+    if _are_of_two_bytes(texts):
+        return lambda text: text.replace(",", " ")
+    return str.strip
+
+
+def _are_of_two_bytes(texts: Sequence[str]) -> bool:
+    """Whether all texts have two bytes, and some of these are not neighbours: each is an address, and not a pair of
+    registers."""
     pairs = [pair for text in texts if (pair := _BYTES.fullmatch(text.strip()))]
     ends = [(int(pair[1], 16), int(pair[2], 16)) for pair in pairs]
     return 0 < len(pairs) == len(texts) and any(low != high + 1 for high, low in ends)

@@ -94,7 +94,7 @@ def _is_word_of_other(text: str) -> bool:
 _CONTENTS: dict[str, Callable[[str], object]] = {
     "address": is_place,
     "words": lambda text: re.fullmatch(
-        r"[0-9]{1,5}\s*(?:words?|bytes?|bits?|reg(?:ister)?s?)?\.?", text, re.IGNORECASE
+        r"[0-9]{1,5}\s*(?:words?|bytes?|bits?|reg(?:ister)?s?|ワード|バイト)?\.?", text, re.IGNORECASE
     ),
     "bits": lambda text: bit_names(text) is not None,
     "last": address_text,

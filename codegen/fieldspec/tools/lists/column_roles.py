@@ -169,7 +169,12 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
             columns = [column for column in columns if not are_of_memory(sample, column)] or columns
             if not names:
                 main = [places["address"]] if "address" in places else columns[:1]
-                columns = [column for column in columns if column in main or _has_addresses_of(sample, main[0], column)]
+                columns = [
+                    column
+                    for column in columns
+                    if column in main
+                    or (not _is_of_writes(headings[column]) and _has_addresses_of(sample, main[0], column))
+                ]
         if role == "name" and "name" not in places:
             columns = sorted(columns, key=lambda column: repeats(sample, column))
         if role not in places and columns:
@@ -267,6 +272,11 @@ def _has_addresses_of(rows: Sequence[SheetRow], column: int, further_column: int
         if times * 2 > len(pairs) and (abs(usual) in _USUAL or times >= _FEWEST_ROLES):
             return True
     return not pairs
+
+
+def _is_of_writes(heading: str) -> bool:
+    """Whether a heading is that of addresses where values are written, which are other registers."""
+    return folded(heading).startswith(tuple(word for word in words("headings")["writable"] if len(word) > len("wrt")))
 
 
 def address_rank(heading: str) -> int:

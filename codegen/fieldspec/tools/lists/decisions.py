@@ -20,7 +20,7 @@ from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.type_words import UNSIGNED, Typed
 from fieldspec.tools.lists.value_texts import Meanings, NamedBits
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import folded, words
 
 _STATE_NUMBER = re.compile("0|-1|255|-?99+")
 _FEWEST = 3
@@ -62,7 +62,9 @@ def decided(
     numbers = [wire_number(row_place, ways[0]) for _, row_place in places.rows]
     gaps = [b - a if a is not None and b is not None else 0 for a, b in pairwise(numbers)] + [0]
     sizes = [
-        (row.length, row.type.size if row.type else 0, gap) for row, gap in zip(rows, gaps, strict=True) if row.length
+        (row.length, row.type.size if row.type else 0, gap)
+        for row, gap in zip(rows, gaps, strict=True)
+        if row.length and not _own_unit(row)
     ]
     heading = columns_of_sheet.heading("words") if "words" in columns_of_sheet.places else ""
     unit, length_assumption = directions.length_unit(heading, sizes, options.length)
@@ -236,9 +238,15 @@ def _with_elements(
     return result
 
 
+def _own_unit(row: ListRow) -> str:
+    """The unit that the cell of a length has itself: `16 bytes`; empty for a number alone."""
+    text = folded(row.texts.get("words", "").strip("0123456789 "))
+    return next((unit for unit, own in words("lengths").items() if text and text.startswith(own)), "")
+
+
 def _with_length(row: ListRow, unit: str) -> ListRow:
     """A row with its words, by the unit of its length; a length that is not a whole number of words is a doubt."""
-    text = row.texts.get("words", "")
+    text, unit = row.texts.get("words", ""), _own_unit(row) or unit
     factor = LENGTHS[unit]
     if unit == "bits" and row.bits is not None and row.length and row.length % factor:
         return replace(row, bits=(row.bits[0], row.bits[0] + row.length - 1))

@@ -14,12 +14,11 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place, address_text
 from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
 from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign
-from fieldspec.tools.lists.column_roles import FURTHER, Columns, address_rank, headings_text
+from fieldspec.tools.lists.column_roles import Columns, address_rank, headings_text
 from fieldspec.tools.lists.decisions import decided
 from fieldspec.tools.lists.entries import SPACES
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
 from fieldspec.tools.lists.exported_rows import OF_THE_MANUAL, exported_row, uncited
-from fieldspec.tools.lists.heading_words import NOTE
 from fieldspec.tools.lists.memories import assumed_areas, unknown_areas
 from fieldspec.tools.lists.numbering import (
     Placed,
@@ -31,10 +30,18 @@ from fieldspec.tools.lists.numbering import (
     wire_number,
 )
 from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_subindices_apart
+from fieldspec.tools.lists.row_cells import row_cells, row_texts
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
-from fieldspec.tools.lists.row_reading import Cells, ListRow, read_row
-from fieldspec.tools.lists.row_spaces import titled_order, titles, unread_texts, with_spaces
-from fieldspec.tools.lists.shapes import BIT, with_elements, with_numbers_of_names
+from fieldspec.tools.lists.row_reading import ListRow, read_row
+from fieldspec.tools.lists.row_spaces import (
+    said_base,
+    titled_order,
+    titles,
+    unread_texts,
+    with_bits_from_zero,
+    with_spaces,
+)
+from fieldspec.tools.lists.shapes import BIT, with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns, without_numbers
 from fieldspec.tools.lists.type_words import Loose
@@ -48,7 +55,6 @@ _FEWEST_CODES = 3
 _WIDE_STEPS = (4, 8)
 """The bytes of registers with more than a word."""
 
-_EMPTY = ("-", "--", "---", "n/a", "N/A", "undefined", "\u2013", "\u2014", "/")
 _BIT_NAME = re.compile(
     r"(?:bit|b)\s*\.?([0-9]{1,2})(?:\s*(?:-|\.\.|~)\s*(?:bit|b)?([0-9]{1,2}))?\b[\s:=.)-]*(.*)", re.IGNORECASE
 )
@@ -107,10 +113,10 @@ class Listing:
                 cell = self.columns.cell(sheet_row, "address")
                 refused.append(Refusal(row.row, heading, cell, "begins at the second byte of a register"))
             else:
-                rows.append(whole if row.is_own else with_elements(whole, SPACES.get(whole.space, False)))
+                rows.append(whole)
         rows = _with_gaps(_with_bits_beneath(rows, self))
         if not self.own:
-            rows = [with_numbers_of_names(row, SPACES.get(row.space, False)) for row in rows]
+            rows = [with_elements(row, SPACES.get(row.space, False)) for row in rows]
         return rows, refused
 
 
@@ -124,8 +130,9 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     has_objects = False
     if not own:
         columns_of_sheet, has_objects = with_objects(columns_of_sheet, options.base, refused, assumptions)
-    places = placed(columns_of_sheet, options.base)
-    ways = bases(places, options.base, columns_of_sheet.heading("address"))
+    base = options.base or ("" if own else said_base(sheet, assumptions))
+    places = placed(columns_of_sheet, base)
+    ways = bases(places, base, columns_of_sheet.heading("address"))
     if own:
         cited = {role: columns_of_sheet.headings.index(role) for role in OF_THE_MANUAL}
         columns_of_sheet = replace(columns_of_sheet, places={**columns_of_sheet.places, **cited})
@@ -172,19 +179,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     further = _further_cells(columns_of_sheet, places, assumptions)
     read = []
     for sheet_row, row_place in places.rows:
-        texts = {
-            role: text
-            for role, text in columns_of_sheet.texts(sheet_row).items()
-            if text not in _EMPTY or role == "address"
-        }
-        if "readable" in columns_of_sheet.places and "writable" in texts:
-            texts.setdefault("readable", "no")
-        if text := texts.get("read_only", ""):
-            answers = {True: "no", False: "yes", None: f"read only: {text}"}
-            texts.setdefault("writable", answers[cells.answer(text)])
-        if "function_write" in texts:
-            texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
-        row = read_row(_cells(columns_of_sheet, sheet_row, texts, sheet.comments), decimal, order)
+        texts = row_texts(columns_of_sheet, sheet_row)
+        row = read_row(row_cells(columns_of_sheet, sheet_row, texts, sheet.comments), decimal, order)
         if row_place.bits is not None and row_place.bracketed and "array" in texts.get("type", "").casefold():
             row = replace(row, count=max(row_place.bits[1], 1))  # `100 [4]` has four elements
             row_place = replace(row_place, bits=None)
@@ -196,6 +192,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         space = area or row.space or cells.space(sheet.name)
         read.append(replace(row, bits=row_place.bits or row.bits, space=space))
     read = with_spaces(read, sheet, assumptions)
+    read = read if own else with_bits_from_zero(read, assumptions)
     unknown = list(
         unknown_areas(places.rows, {row.row: row.space for row in read}, columns_of_sheet.heading("address"))
     )
@@ -272,35 +269,6 @@ def _refuse_codes(rows: Sequence[ListRow], places: Placed, columns_of_sheet: Col
             f"has `{text}` under {columns_of_sheet.heading('address')}, which is a bit, or the code of a parameter: "
             f"row {wider[0].row} has more values than a bit; give whole addresses, or name their column with --address"
         )
-
-
-def _cells(
-    columns_of_sheet: Columns,
-    row: SheetRow,
-    texts: Mapping[str, str],
-    comments: Mapping[int, Sequence[tuple[str, str]]],
-) -> Cells:
-    """The cells of a row: its names are the cells of all columns of names, then its printed name and its label. The
-    comments of its cells are notes."""
-    further_columns = columns_of_sheet.more
-    further = [text for column in further_columns.get("name", ()) if (text := row.cell(column)) and text not in _EMPTY]
-    names = [texts[role] for role in ("name",) if role in texts] + further
-    names += [texts[role] for role in ("printed_name", "label") if role in texts]
-    noted = [columns_of_sheet.places[NOTE]] if NOTE in columns_of_sheet.places else []
-    notes = (
-        *((f"Comment of {place}", text) for place, text in comments.get(row.number, ())),
-        *(
-            (columns_of_sheet.heading_at(column), row.cell(column))
-            for column in (
-                *noted,
-                *further_columns.get(NOTE, ()),
-                *(n for role in FURTHER for n in further_columns.get(role, ())),
-            )
-            if row.cell(column) and row.cell(column) not in (*_EMPTY, *(texts.get(role) for role in FURTHER))
-        ),
-    )
-    has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
-    return Cells(row.number, texts, tuple(names), notes, has_factors)
 
 
 def _decimal(columns_of_sheet: Columns, assumptions: list[Assumption]) -> str:
@@ -402,7 +370,7 @@ def _bits_beneath(register_list: Listing) -> Iterator[ListRow]:
     """Rows of bits without an address, which stand at -1 until the register above is known."""
     for row in register_list.places.skipped:
         texts = {role: text for role in register_list.columns.places if (text := register_list.columns.cell(row, role))}
-        cells = _cells(register_list.columns, row, texts, {})
+        cells = row_cells(register_list.columns, row, texts, {})
         match = next((match for name in cells.names if (match := _BIT_NAME.fullmatch(name))), None)
         list_row = read_row(cells, POINT, "")
         if list_row.bits is not None and "bit" in texts and cells.names:

@@ -14,9 +14,9 @@ from fieldspec.tools.lists.addresses import (
     AddressText,
     Place,
     address_text,
-    are_of_two_bytes,
     base_of_heading,
     place,
+    whole_notation,
 )
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.column_roles import Columns
@@ -55,7 +55,7 @@ def placed(columns: Columns, base: str = "") -> Placed:
     heading = columns.heading("address")
     texts = [text for row in columns.rows if (text := columns.cell(row, "address"))]
     headings = {*filter(None, columns.headings)}
-    are_bytes, memories = are_of_two_bytes(texts), of_memories(texts)
+    rewritten, memories = whole_notation(texts), of_memories(texts)
     for row in columns.rows:
         filled = [*filter(None, row.cells)]
         is_heading = sum(cell in headings for cell in filled) * 2 > len(filled)
@@ -63,7 +63,7 @@ def placed(columns: Columns, base: str = "") -> Placed:
         try:
             if text in memories:
                 raise CellError(memories[text])
-            row_place = place(text.replace(",", " ") if are_bytes else text) if text else None
+            row_place = place(rewritten(text)) if text else None
         except CellError as error:
             refused.append(Refusal(row.number, heading, text, str(error)))
             continue

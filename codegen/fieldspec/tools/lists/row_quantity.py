@@ -119,7 +119,9 @@ def quantity_of(
             unit = replace(unit, unit=unit.unit or known_unit(weight[1]))
         elif len(note.strip()) > 1:  # a name may be a word of a unit, too: `Hour`
             unit = replace(unit, unit=unit.unit or known_unit(note))
-    for role in FACTORS:
+    joint = joint_factor(texts, decimal)
+    stated += [joint] if joint else []
+    for role in FACTORS if not joint else ():
         cell = factor_cell(texts, role)
         operator, operand = meaning("operators", texts.get("operator", "")), factor(cell, decimal)
         if operator and operand is not None:
@@ -185,11 +187,24 @@ def factor_cell(texts: Mapping[str, str], role: str) -> str:
     return bare if bare and aside and known_unit(aside) == "" else texts.get(role, "")
 
 
-def open_factor(texts: Mapping[str, str], role: str, decimal: str) -> Fraction | None:
+def open_factor(texts: Mapping[str, str], decimal: str) -> Fraction | None:
     """The factor of a row whose cell does not say whether it multiplies or divides; None if it says so, or has none."""
+    role = next((role for role in FACTORS if texts.get(role)), "")
+    if not role or joint_factor(texts, decimal):
+        return None
     text = factor_cell(texts, role)
     is_stated = states_direction(text) or meaning("operators", texts.get("operator", ""))
     return None if is_stated else factor(text, decimal)
+
+
+def joint_factor(texts: Mapping[str, str], decimal: str) -> tuple[Fraction, str] | None:
+    """The scale of a row with a multiplier and a divisor that differ, and their cells; one alone may be the scale in
+    both ways: `0.1` and `10`."""
+    role = "scale" if "scale" in texts else "gain"
+    multiplier, divisor = factor(texts.get(role, ""), decimal), factor(texts.get("divisor", ""), decimal)
+    if multiplier is None or divisor is None or multiplier * divisor == 1:
+        return None
+    return multiplier / divisor, f"{texts[role]} and {texts['divisor']}"
 
 
 def example(text: str, decimal: str) -> Quantity | None:

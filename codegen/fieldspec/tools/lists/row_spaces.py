@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence, Set
 
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists import cells
-from fieldspec.tools.lists.addresses import TABLES
+from fieldspec.tools.lists.addresses import HEXADECIMAL, TABLES
 from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.brackets import parted, without_brackets
 from fieldspec.tools.lists.cells import functions
@@ -22,6 +22,7 @@ _SCALED = re.compile(
     re.IGNORECASE,
 )
 _LONGEST_QUOTE = 100
+_FEWEST_BITS, _LAST_BIT = 2, 16
 _PHRASE = 8
 """The fewest letters of an access in a title: `read only`, and not `input`."""
 
@@ -33,6 +34,20 @@ of one that begins with it."""
 def with_spaces(rows: list[ListRow], sheet: Sheet, assumptions: list[Assumption]) -> list[ListRow]:
     """The rows of a sheet with their address spaces, and with accesses where functions show these."""
     return _by_functions(_beneath_titles(_with_numbered_spaces(rows, assumptions), sheet, assumptions))
+
+
+def with_bits_from_zero(rows: list[ListRow], assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows of a list with single bits of words, counted from 0: bit 16 beside no bit 0 shows that a list counts
+    from 1, and where no bit is 0, it may."""
+    bits = [row.bits[0] for row in rows if row.bits is not None and row.bits[0] == row.bits[1]]
+    if len(bits) < _FEWEST_BITS or min(bits) != 1:
+        return rows
+    if max(bits) != _LAST_BIT:
+        if bits.count(1) > 1 or bits[:2] == [1, 2]:
+            assumptions.append(Assumption("bits", "those that are written", "none is 0; they may count from 1"))
+        return rows
+    assumptions.append(Assumption("bits", "counted from 1", "a bit 16 and no bit 0"))
+    return [replace(row, bits=(row.bits[0] - 1, row.bits[1] - 1)) if row.bits else row for row in rows]
 
 
 def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) -> str:
@@ -61,6 +76,16 @@ def unread_texts(sheet: Sheet, used: Set[int], has_factors: bool) -> Iterator[As
         yield Assumption("scales", "as each row has them", f"`{text[:_LONGEST_QUOTE]}` is not used")
 
 
+def said_base(sheet: Sheet, assumptions: list[Assumption]) -> str:
+    """The base that a text of its own says all addresses to have; empty where none does."""
+    texts = filter(pattern("of_addresses").search, titles(sheet).values())
+    said = next((text for text in texts if pattern("in_hexadecimal").search(text)), "")
+    if not said or pattern("decimal").search(pattern("in_hexadecimal").sub("", said)):
+        return ""
+    assumptions.append(Assumption("addresses", "hexadecimal", f"`{said[:_LONGEST_QUOTE]}`", "--base decimal"))
+    return HEXADECIMAL
+
+
 def _texts_beside(sheet: Sheet, used: Set[int]) -> Iterator[str]:
     return (text for row in sheet.rows if row.number not in used for text in row.cells if text)
 
@@ -80,6 +105,8 @@ def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Ass
         own_level = len(text) - len(text.lstrip("#"))
         if space := _titled_space(text):
             headed[number], level = (space, text, _titled_access(text)), own_level
+        elif access := cells.access(text.strip("#*_: ")) if len(text) >= _PHRASE else "":
+            headed[number], level = ("", text, access), own_level
         elif 0 < own_level <= level:
             headed[number], level = ("", "", ""), 0
     result = []

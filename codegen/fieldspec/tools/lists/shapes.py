@@ -75,12 +75,16 @@ def with_elements(row: ListRow, in_bits: bool) -> ListRow:
     length = row.type.length if row.type is not None else 0
     if in_bits and (row.words or 1) > 1:
         return replace(row, words=None, count=max(row.count, row.words or 1))
-    if size and length > 1 and row.count == 1 and row.words in (None, length * size):
-        return replace(row, words=size, count=length)
-    return row
+    if not (size and length > 1 and row.count == 1 and row.words in (None, length * size)):
+        return _with_numbers_of_names(row, in_bits)
+    if row.gap < length * size and (row.gap or "(" in row.texts.get("type", "")):
+        further = f"and the next address is {row.gap} after" if row.gap else "which may be a count"
+        doubt = f"The list says {row.texts.get('type')}, {further}."
+        return replace(row, type=replace(row.type, length=0) if row.type else None, doubts=(*row.doubts, doubt))
+    return replace(row, words=size, count=length)
 
 
-def with_numbers_of_names(row: ListRow, in_bits: bool) -> ListRow:
+def _with_numbers_of_names(row: ListRow, in_bits: bool) -> ListRow:
     """A row whose name has the numbers of several values, as `Temperature 1..8`: a count where they reach up to the
     next address, else a doubt."""
     span = _NUMBERS.fullmatch(row.names[0]) if row.names else None

@@ -34,7 +34,8 @@ _ORDERED = re.compile(
     r"[\s_-]*(sw|swap|swapped|swappedwords|inverse|rev|r)"
 )
 _ORDER_WORD = re.compile(
-    r"[\s_(\[,-]+(abcd|cdab|dcba|badc|big[ -]?endian|little[ -]?endian|msw first|lsw first|be|le)[)\]]*$", re.IGNORECASE
+    r"[\s_(\[,-]+(abcd|cdab|dcba|badc|1234|2143|3412|4321|big[ -]?endian|little[ -]?endian|[ml]sw first|be|le)[)\]]*$",
+    re.IGNORECASE,
 )
 
 _STRUCT = re.compile(r"([<>!=@])([bBhHiIlLqQfd])")
