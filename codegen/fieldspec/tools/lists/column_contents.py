@@ -143,6 +143,9 @@ BY_CELLS: dict[str, Callable[[str], object]] = {
 """The roles that the cells of a column show without a heading, where all of them fit."""
 
 _FEWEST, _LETTERS, _FEWEST_NAMES = 2, 3, 3
+_LETTERS_OF_UNITS = {"V", "A", "W"}
+"""Letters that are units without a heading; others may be of kinds, or of places."""
+
 _MOST_OF_MIXED, _MIXED_OF = 1, 2
 """The part of the cells of a column that are units, ranges or meanings of values."""
 
@@ -154,13 +157,14 @@ def role_by_cells(texts: Sequence[str], existing: Set[str], repeats: bool) -> st
     """
     if len(texts) < _FEWEST:
         return ""
+    are_letters = all(len(text) == 1 and text.isalpha() for text in texts) and not {*texts} <= _LETTERS_OF_UNITS
     for role, check in BY_CELLS.items():
-        is_list = role == "unit" and all(len(text) == 1 and text.isalpha() for text in texts) and len({*texts}) > 2
         if role not in existing and all(map(check, texts)) and not all(folded(text) in _NO_SPACES for text in texts):
-            return role if not is_list else ""
+            return "" if role == "unit" and are_letters else role
     known = sum(bool(scaled_unit(text, cells.COMMA) or known_unit(text) or cells.bounds(text)) for text in texts)
     known += sum(value_meanings(text) is not None for text in texts)
-    if _MOST_OF_MIXED * len(texts) <= known * _MIXED_OF and existing.isdisjoint(("unit", "values", "range")):
+    is_mixed = _MOST_OF_MIXED * len(texts) <= known * _MIXED_OF and not are_letters
+    if is_mixed and existing.isdisjoint(("unit", "values", "range")):
         return "unit"  # whose cells may also be ranges, and values with their meanings
     are_words = sum(sum(map(str.isalpha, text)) >= _LETTERS for text in texts) * 4 >= len(texts) * 3
     return "name" if are_words and not repeats and existing.isdisjoint(("name", "label")) else ""

@@ -343,6 +343,9 @@ def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRo
         )
     if span is not None and row.words not in (None, span):
         doubts = (*doubts, f"The list says {row.texts.get('words')} words, and {span} addresses.")
+    names = re.split(r"\s*[/,+]\s*", row.names[0]) if row.names and row.type is None and not row.length else []
+    if span is not None and span == len(names) > 1:
+        doubts = (*doubts, f"The list has {span} addresses, and a name for each.")
     is_bit = row.type is not None and (row.type.name == BIT or row.type.kind is Loose.TRUTH)
     if span is not None and span > 1 and is_bit and not row.words:
         doubts = (*doubts, f"The list says {row.texts.get('type')}, and {span} addresses.")

@@ -333,7 +333,7 @@ def _between_bounds(texts: Mapping[str, str], decimal: str) -> Quantity | None:
 def _unit_of_texts(texts: Mapping[str, str], names: Sequence[str], decimal: str) -> Quantity | None:
     """The unit in brackets after a name, or after a range, where the list has no cell for it: `Speed [rpm]`."""
     for name in names:
-        aside = parted(name)[1]
+        aside = parted(name)[1] or next(filter(known_unit, map(str.strip, name.split(",")[1:])), "")
         quantity = unit_cell(aside, decimal) if aside else None
         is_shouted = aside.isupper() and len(aside) > 1 and quantity is not None and quantity.unit.islower()
         if (

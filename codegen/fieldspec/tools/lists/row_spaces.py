@@ -16,7 +16,9 @@ from fieldspec.tools.lists.sheet import Sheet
 from fieldspec.tools.lists.type_words import described_order
 from fieldspec.tools.lists.words import alternatives, folded, pattern
 
-_FUNCTION = re.compile(rf"\b{alternatives('function')} ?((?:0x)?0?[1-6])\b", re.IGNORECASE)
+_FUNCTION = re.compile(
+    rf"\b{alternatives('function')} ?((?:0x)?[0-9]{{1,2}}(?:\s*[,/&]\s*(?:0x)?[0-9]{{1,2}})*)\b", re.IGNORECASE
+)
 _SCALED = re.compile(
     r"(?:\b1/10+|\b0[.,]0{0,3}1) ?(?:°|%|[a-z]{1,3}\b)|[x\u00d7*÷/] ?10+(?![0-9])|\b" + alternatives("tenth"),
     re.IGNORECASE,
@@ -148,6 +150,9 @@ def _titled_space(text: str) -> str:
 
 def _titled_access(text: str) -> str:
     """The access that a title says between other words: `(read/write)`, `- Read-Only Sensor Data`."""
+    code = _FUNCTION.search(text)
+    if (codes := functions(code[1]) if code else None) is not None and codes.reads and codes.writes:
+        return "rw"
     pieces = [piece.strip(" #*_") for piece in re.split(r"[()\[\],:\u2013]| - ", text)]
     phrases = [piece for piece in (*pieces, *(piece.partition(" ")[0] for piece in pieces)) if len(piece) >= _PHRASE]
     return next(filter(None, map(cells.access, phrases)), "")

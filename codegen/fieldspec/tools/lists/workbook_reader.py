@@ -47,7 +47,9 @@ def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
     tables = {number: headed_columns(read[number]) for number in visible}
     role_counts = {number: table.headed if table else 0 for number, table in tables.items()}
     best = max(visible, key=lambda number: (role_counts[number], len(read[number].rows), -number))
+    of_spaces = [number for number, table in tables.items() if table and table.headed > 1 and space(read[number].name)]
     alike = [number for number, table in tables.items() if table and _are_alike(table, tables[best])]
+    alike = of_spaces if best in of_spaces and len(of_spaces) > len(alike) else alike
     parts = {number: _filled(content, read[number], number, area) for number in alike} if len(alike) > 1 else {}
     filled = {number: table for number, sheet in parts.items() if (table := headed_columns(sheet)) is not None}
     if len(filled) > 1 and not any(sheet.formulas for sheet in parts.values()) and _are_disjoint(parts, filled):
