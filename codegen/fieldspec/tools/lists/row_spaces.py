@@ -145,7 +145,8 @@ def _titled_space(text: str) -> str:
     code = _FUNCTION.search(text) if is_title else None
     if (read := functions(code[1]) if code else None) is not None:
         return read.space
-    return cells.space(text) or cells.space(aside) or cells.space(beginning) if is_long else ""
+    pieces = [piece for piece in re.split(r" [-\u2013] |[,;:]", aside) if len(folded(piece)) >= _SHORTEST_TITLE]
+    return next(filter(None, map(cells.space, (text, aside, beginning, *pieces))), "") if is_long else ""
 
 
 def _titled_access(text: str) -> str:

@@ -46,6 +46,7 @@ def shape(row: ListRow, in_bits: bool) -> Shape:
         is_bit = own_type is None or own_type.kind is Loose.TRUTH or own_type.size <= 1
         return Shape(BIT, 1, row.count, () if is_bit else (f"The list says {type_text}, and the space is of bits.",))
     name = own_type.of_words(row.words) if own_type is not None else ""
+    name = "bool16" if name == BIT else name
     if not name:
         name = UNSIGNED.get(row.words or 1, "bytes")
         if row.low is not None and row.low < 0 and name != "bytes":

@@ -155,7 +155,9 @@ def typed(text: str) -> Typed | None:
     if (scaled := _SCALED.fullmatch(text)) and (inner := typed(scaled[1])) and inner.name != "text":
         return replace(inner, factor=scaled[2])
     length = _LENGTH.search(text)
-    if length and (inner := typed(text[: length.start()])) and not inner.length:
+    inner = typed(text[: length.start()]) if length else None
+    is_bit = inner is not None and (inner.kind is Loose.TRUTH or inner.name == "bit")
+    if length and inner is not None and not inner.length and not (is_bit and length[3]):
         return replace(inner, length=int(next(filter(None, length.groups()))))
     bare, _, aside = re.sub("[(]", "[", text).partition("[")
     inner = typed(bare) if aside else None

@@ -89,7 +89,7 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
     if parts and _BEFORE.fullmatch(text[: parts[0].start()]):
         ends = [*(part.start() for part in parts[1:]), len(text)]
         raw_texts = [text[part.end() : end] for part, end in zip(parts, ends, strict=True)]
-        texts = [raw_text.strip(" ,;/|.]'\"") for raw_text in raw_texts]
+        texts = [re.sub(r"\s[-\u2013]$", "", raw_text.strip(" ,;/|.]'\"")) for raw_text in raw_texts]
         are_parted = parts[0]["end"].strip() or all(raw_text.rstrip(" ").endswith(_ENDS) for raw_text in raw_texts[:-1])
         are_ends = parts[0]["end"].strip() == "-" and not all(any(map(str.isalpha, name)) for name in texts)
         is_point = parts[0]["end"].strip() == "." and len(parts) == 1
