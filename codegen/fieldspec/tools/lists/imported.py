@@ -120,9 +120,14 @@ def _types(registers: Sequence[Entry]) -> Iterator[Assumption]:
     """The assumption about the registers whose types the list does not say."""
     silent = [entry for entry in registers if entry.kind == REGISTER and entry.is_own and entry.shape.inferred]
     types = ", ".join(sorted({entry.shape.type for entry in silent} - {BIT}))
-    wide = [entry.row.row for entry in silent if entry.shape.words < entry.row.gap <= _MOST_WORDS]
+    wide = [
+        entry.row.row
+        for entry in silent
+        if entry.row.words is None and entry.shape.words < entry.row.gap <= _MOST_WORDS
+    ]
     if types:
-        places = f"; the next addresses of rows {', '.join(map(str, wide[:_MOST_ROWS]))} are further" if wide else ""
+        numbers = ", ".join(map(str, wide[:_MOST_ROWS]))
+        places = f"; the next address is further after row{'s' * (len(wide) > 1)} {numbers}" if wide else ""
         yield Assumption(
             "types", types, f"the list does not say them of {plural(len(silent), 'row')}{places}", "--column type"
         )

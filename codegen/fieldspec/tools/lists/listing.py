@@ -193,9 +193,8 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         read.append(replace(row, bits=row_place.bits or row.bits, space=space))
     read = with_spaces(read, sheet, assumptions)
     read = read if own else with_bits_from_zero(read, assumptions)
-    unknown = list(
-        unknown_areas(places.rows, {row.row: row.space for row in read}, columns_of_sheet.heading("address"))
-    )
+    spaces = {row.row: row.space for row in read}
+    unknown = list(unknown_areas(places.rows, spaces, columns_of_sheet.heading("address")))
     refused += unknown
     refused_rows = {refusal.row for refusal in unknown}
     read = [row for row in read if row.row not in refused_rows]
@@ -203,14 +202,13 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     if not read:
         raise ListError(f"has no row that can be taken: {refused[0].text()}")
     undecided: list[Assumption] = []
-    if not own:
-        _refuse_codes(read, places, columns_of_sheet)
     if own:
         read = [exported_row(row) for row in read]
         marks = {row.cited.mark if row.cited is not None else LINES for row in read}
         if len(marks) > 1:  # a manual has lines or pages, and rows without a place have lines of the list
             read = [uncited(row) if row.cited is not None and row.cited.mark != LINES else row for row in read]
     else:
+        _refuse_codes(read, places, columns_of_sheet)
         columns_of_sheet, read = with_values_beneath(columns_of_sheet, read, places.skipped)
         read = decided(columns_of_sheet, read, places, ways, options, assumptions, undecided)
     if has_objects:

@@ -60,6 +60,7 @@ def with_areas(rows: PlacedRows, base: str, heading: str) -> Iterator[tuple[Shee
 
 
 def undecided(digits: str, heading: str) -> ListError:
+    """The error for an address whose letter may be a hexadecimal digit, or the name of an area."""
     return ListError(
         f"has the address `{digits}` under {heading}, which is hexadecimal, or decimal after the name of a memory "
         "area: choose with --base hex or --base decimal"

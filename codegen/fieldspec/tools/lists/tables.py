@@ -204,7 +204,7 @@ def joined_columns(first: Columns, further: Columns) -> Columns:
 
 
 def _with_marks(table: Columns, other: Columns) -> Columns:
-    """A table with marks of hexadecimal addresses, where its heading says what they are and that of another does not."""
+    """A table with marks of hexadecimal addresses, where its heading says that, and that of another one does not."""
     place, heading = table.places["address"], other.heading("address")
     if base_of_heading(table.heading("address")) != HEXADECIMAL or base_of_heading(heading) == HEXADECIMAL:
         return table
