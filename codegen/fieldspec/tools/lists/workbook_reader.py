@@ -47,7 +47,12 @@ def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
     tables = {number: headed_columns(read[number]) for number in visible}
     role_counts = {number: table.headed if table else 0 for number, table in tables.items()}
     best = max(visible, key=lambda number: (role_counts[number], len(read[number].rows), -number))
-    of_spaces = [number for number, table in tables.items() if table and table.headed > 1 and space(read[number].name)]
+    titled = {number: table for number, table in tables.items() if table and space(read[number].name)}
+    of_spaces = [
+        number
+        for number, table in titled.items()
+        if table.headed > 1 and table.places.keys().isdisjoint(("space", "function"))
+    ]
     alike = [number for number, table in tables.items() if table and _are_alike(table, tables[best])]
     alike = of_spaces if best in of_spaces and len(of_spaces) > len(alike) else alike
     parts = {number: _filled(content, read[number], number, area) for number in alike} if len(alike) > 1 else {}
