@@ -77,10 +77,14 @@ def _with_short_references(rows: list[tuple[SheetRow, Place]], columns: Columns)
     digits = [row_place.first.digits for _, row_place in rows]
     of_tables = {text[0] for text in digits if len(text) == _DIGITS}
     codes = [cells.functions(columns.cell(row, "function")) for row, _ in rows]
+    own_spaces = [
+        code.space if code else cells.space(columns.cell(row, "space"))
+        for (row, _), code in zip(rows, codes, strict=True)
+    ]
+    has_tables = of_tables <= TABLES.keys() and len(of_tables) > 1
     are_coils = [
-        (of_tables <= TABLES.keys() and len(of_tables) > 1 and int(text or "0") > 0 if text.isdecimal() else False)
-        or (code.space if code else cells.space(columns.cell(row, "space"))) == _COILS
-        for (row, _), text, code in zip(rows, digits, codes, strict=True)
+        own_space == _COILS or (has_tables and not own_space and text.isdecimal() and int(text) > 0)
+        for text, own_space in zip(digits, own_spaces, strict=True)
     ]
     short = [
         text.isdecimal() and len(text) < _DIGITS and (is_coil or (text.startswith("0") and len(text) == _DIGITS - 1))
