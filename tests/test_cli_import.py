@@ -70,6 +70,7 @@ def test_a_pasted_table_becomes_a_spec_that_passes_with_a_warning(run: CommandLi
         "columns not used: No.",
         "rows: 3 of 3 used (100 %)",
         "assumed: address space: registers (the list does not say it; --space decides)",
+        "assumed: types: i32, u16 (the list does not say them of 3 rows; --column type decides)",
         "assumed: order of words: ABCD, the high word first (the list does not say it; --order decides)",
     ]
     assert path.read_text("utf-8").partition("\nregisters:\n")[2] == (

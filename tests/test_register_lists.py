@@ -12,6 +12,7 @@ from typing import Any
 import openpyxl
 import pytest
 import yaml
+from openpyxl.comments import Comment
 
 from command_line import CommandLine
 from fieldspec.tools.lists.assumption import STATED_NOTHING
@@ -40,6 +41,11 @@ def content(case: dict[str, Any]) -> bytes:
             sheet.append(row)
         for area in case.get("merged", ()):
             sheet.merge_cells(area)
+        for place in case.get("hidden", ()):
+            dimensions = sheet.row_dimensions if isinstance(place, int) else sheet.column_dimensions
+            dimensions[place].hidden = True
+        for place, text in case.get("comments", {}).items():
+            sheet[place].comment = Comment(text, "Ann")
     buffer = io.BytesIO()
     book.save(buffer)
     return buffer.getvalue()

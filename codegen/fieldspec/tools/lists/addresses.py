@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.tools.lists.sheet import CellError
-from fieldspec.tools.lists.words import meaning
+from fieldspec.tools.lists.words import meaning, pattern
 
 HEXADECIMAL, DECIMAL, REFERENCE = "hex", "decimal", "4xxxx"
 BASES = (HEXADECIMAL, DECIMAL, REFERENCE)
@@ -23,6 +23,10 @@ TABLES = {"0": "coils", "1": "discrete_inputs", "3": "input_registers", "4": "re
 _HEX = re.compile(r"(?:0x|&h|\$|16#|h'|x)\s?([0-9a-f]{1,8})'?|([0-9a-f]{1,8})h", re.IGNORECASE)
 _HALVES = re.compile(r"([0-9a-f]{2}) ([0-9a-f]{2})", re.IGNORECASE)
 _BYTES = re.compile("([0-9a-f]{2}), ?([0-9a-f]{2})", re.IGNORECASE)
+_COLON, _BIT_TEXT = re.compile("([0134]):([0-9]{1,5})"), len("4:15")
+"""The digit of a table before an address, and the longest text that may as well be a register with its bit."""
+
+_LOW_BYTE, _BYTE_LETTER = re.compile("[0-9]+L", re.IGNORECASE), re.compile("[0-9]+[HL]", re.IGNORECASE)
 _TABLE = re.compile(r"([0134])x[ -]?([0-9]{5})|([134])x[ -]?([0-9]{1,5})", re.IGNORECASE)
 _DIGITS = re.compile(r"[0-9a-f]{1,10}", re.IGNORECASE)
 _POINTLESS = re.compile(r"([0-9]+)\.0+")
@@ -33,9 +37,6 @@ _SPAN = re.compile(r"\s*(?:\.\.+|~|\u2013|\u2014|-|至|\bto\b|\bbis\b)\s*", re.I
 _SEVERAL = re.compile(r"\s*(?:[,;&+]|\band\b|\bund\b)\s*", re.IGNORECASE)
 _BREAK = re.compile(r"\s*<br\s*/?>\s*", re.IGNORECASE)
 _NAMED = re.compile(r"(?:reg(?:ister)?s?|addr?(?:ess)?|%?([a-z]{1,3}))\.?\s?(?=[0-9])", re.IGNORECASE)
-_OF_BYTES = re.compile(r"%[a-z](?:b|d|l|w?x)(?=[0-9])", re.IGNORECASE)
-_BIT_OF_BYTE = re.compile(r"%(?:[iqm]|[iq]x)[0-9]+\.[0-7]", re.IGNORECASE)
-"""Places in the memory of a controller that are not counted in words, and not alike by all controllers."""
 
 _HALF = re.compile(
     r"(.*[0-9a-f]h?)(?:_(l|h|lo|hi|low|high)|[\s_(\[]*(?:(lo|low|hi|high)[\s_-]*byte|([lm]sb)))\s*[)\]]?", re.IGNORECASE
@@ -45,7 +46,7 @@ _LETTERED = re.compile(r"[a-z]?([0-9]{1,10})", re.IGNORECASE)
 _AREA = re.compile(r"([^\W\d_]{2,}(?:[ _-][^\W\d_]+)*)[ _.:#-]*(?=[0-9])")
 _PAIR = re.compile(r"(.+?)\s*[(\[/=|]\s*([^()\[\]]+?)\s*[)\]]?")
 _BITS = re.compile(
-    r"(.*?[0-9a-f]h?)\s*(?:[.:]\s*b?(?:it)?\s?|\s*,?\s*bits?\s*|\[)([0-9]{1,2})(?:\s*(?:-|~|\.\.|to|:)\s*b?([0-9]{1,2}))?\]?",
+    r"(.*?[0-9a-f]h?)\s*(?:[.:]\s*(?:b(?:it)?|x)?\s?|\s*,?\s*bits?\s*|\[)([0-9]{1,2})(?:\s*(?:-|~|\.\.|to|:)\s*b?([0-9]{1,2}))?\]?",
     re.IGNORECASE,
 )
 _IN_BRACKETS = re.compile(r"\[([^\[\]]+)\]")
@@ -64,7 +65,7 @@ class AddressText:
     """An address: its digits, and how its prefix or suffix says to read them: `hex`, `4xxxx`, or empty.
 
     `area` is the name of an area of memory before the digits, `space` the address space that it names; both are empty
-    if there is none.
+    if there is none. `X10` may be an area, or a mark: it has both.
     """
 
     digits: str
@@ -83,7 +84,9 @@ class AddressText:
         return self.lettered and not self.area and _LETTERED.fullmatch(self.digits) is not None
 
     def behind_area(self) -> AddressText:
-        """The decimal number after the letter of an area: `C3` is the coil 3."""
+        """The decimal number after the letter of an area: `C3` is the coil 3, and `X3` an input of a controller."""
+        if self.mark:
+            return replace(self, mark="")
         return AddressText(self.digits[1:], "", meaning("spaces", self.digits[0]), self.digits[0])
 
     def reference(self) -> tuple[str, int] | None:
@@ -133,13 +136,11 @@ def address_text(text: str) -> AddressText | None:
     space = area = ""
     if not _DIGITS.fullmatch(text):
         if marked := _HEX.fullmatch(text):
-            return AddressText(marked[1] or marked[2], HEXADECIMAL)
+            return AddressText(marked[1] or marked[2], HEXADECIMAL, "", text[0] if text[0] in "xX" else "")
         if halves := _HALVES.fullmatch(text):
             return AddressText(halves[1] + halves[2], HEXADECIMAL)
         if table := _TABLE.fullmatch(text):
             return AddressText(table[2] or table[4], REFERENCE, TABLES[table[1] or table[3]])
-        if _OF_BYTES.match(text):
-            return None
         prefix, words = _NAMED.match(text), _AREA.match(text)
         if prefix and (prefix[1] or "").casefold() not in _NO_AREA:
             area = prefix[1]
@@ -189,14 +190,22 @@ def place(text: str) -> Place | None:
     return None
 
 
-def count_bytes(texts: Sequence[str]) -> bool:
-    """Whether texts are places in the memory of a controller that counts bytes: `%I0.7` beside `%IW64`."""
-    return any(_BIT_OF_BYTE.fullmatch(text.strip()) for text in texts)
+def whole_notation(texts: Sequence[str]) -> Callable[[str], str]:
+    """A function that rewrites the addresses of a list which all of them explain: tables before a colon, `4:101` as
+    `4x00101`, bytes of a register, `100L` as `100_L`, and two bytes, `07,08` as `07 08`."""
+    texts = [text.strip() for text in texts]
+    if all(map(_COLON.fullmatch, texts)) and any(len(text) > _BIT_TEXT for text in texts):
+        return lambda text: _COLON.sub(lambda match: f"{match[1]}x{match[2]:0>5}", text.strip())
+    if any(map(_LOW_BYTE.fullmatch, texts)) and all(map(_BYTE_LETTER.fullmatch, texts)):
+        return lambda text: f"{text.strip()[:-1]}_{text.strip()[-1]}"
+    if _are_of_two_bytes(texts):
+        return lambda text: text.replace(",", " ")
+    return str.strip
 
 
-def are_of_two_bytes(texts: Sequence[str]) -> bool:
-    """Whether all texts have two bytes, as `07,08`, and some of these are not neighbours: each is an address in two
-    bytes, and not a pair of registers."""
+def _are_of_two_bytes(texts: Sequence[str]) -> bool:
+    """Whether all texts have two bytes, and some of these are not neighbours: each is an address, and not a pair of
+    registers."""
     pairs = [pair for text in texts if (pair := _BYTES.fullmatch(text.strip()))]
     ends = [(int(pair[1], 16), int(pair[2], 16)) for pair in pairs]
     return 0 < len(pairs) == len(texts) and any(low != high + 1 for high, low in ends)
@@ -233,6 +242,6 @@ def _follows(first: AddressText, other: AddressText) -> bool:
 def base_of_heading(heading: str) -> str:
     """The base that a heading names, empty if it names none."""
     normalized = unicodedata.normalize("NFKC", heading).casefold()
-    if re.search(r"hex|\(h\)|十六|16\s*[进進]|0x", normalized):
+    if pattern("hexadecimal").search(normalized):
         return HEXADECIMAL
-    return DECIMAL if re.search(r"\bdec|\(d\)|十进|十進|10\s*[进進]|dezimal|décimal", normalized) else ""
+    return DECIMAL if pattern("decimal").search(normalized) else ""

@@ -27,6 +27,15 @@ def are_no_types(rows: Sequence[SheetRow], column: int) -> bool:
     return are_spaces or all(map(cells.access, texts))
 
 
+def are_of_memory(rows: Sequence[SheetRow], column: int) -> bool:
+    """Whether a column has only places in the memory of a controller: `D100`, `%MW10`, `X3`."""
+    addresses = [(text, address_text(text)) for row in rows if (text := row.cell(column))]
+    return all(
+        text[0] == "%" or (address is not None and not address.space and bool(address.area or address.prefixed))
+        for text, address in addresses
+    )
+
+
 def counts_on(rows: Sequence[SheetRow], column: int) -> bool:
     """Whether a column has numbers that rise from row to row, or have the mark of addresses: it adds to no value."""
     texts = [text for row in rows if (text := row.cell(column))]
@@ -77,14 +86,15 @@ def is_place(text: str) -> bool:
 
 
 def _is_word_of_other(text: str) -> bool:
-    """Whether a text is one of a column of functions, accesses, or directions of factors."""
-    return cells.functions(text) is not None or bool(cells.access(text) or meaning("operators", text))
+    """Whether a text is one of a column of functions, accesses, address spaces, or directions of factors."""
+    is_word = cells.access(text) or cells.space(text) or meaning("operators", text)
+    return cells.functions(text) is not None or bool(is_word)
 
 
 _CONTENTS: dict[str, Callable[[str], object]] = {
     "address": is_place,
     "words": lambda text: re.fullmatch(
-        r"[0-9]{1,5}\s*(?:words?|bytes?|bits?|reg(?:ister)?s?)?\.?", text, re.IGNORECASE
+        r"[0-9]{1,5}\s*(?:words?|bytes?|bits?|reg(?:ister)?s?|ワード|バイト)?\.?", text, re.IGNORECASE
     ),
     "bits": lambda text: bit_names(text) is not None,
     "last": address_text,
@@ -110,6 +120,7 @@ _CONTENTS: dict[str, Callable[[str], object]] = {
 _MOST_PLACES, _LONGEST = 9, 1000
 _FALLBACK_CONTENTS: dict[str, Callable[[str], object]] = {
     "type": typed,
+    "space": cells.space,
     "places": lambda text: decimal_places(text) is not None and int(decimal_places(text) or 0) <= _MOST_PLACES,
     "scale": lambda text: re.fullmatch(r"0[.,]0*1|1|10+", text),
     "values": lambda text: value_meanings(text) is not None,
@@ -132,6 +143,9 @@ BY_CELLS: dict[str, Callable[[str], object]] = {
 """The roles that the cells of a column show without a heading, where all of them fit."""
 
 _FEWEST, _LETTERS, _FEWEST_NAMES = 2, 3, 3
+_LETTERS_OF_UNITS = {"V", "A", "W"}
+"""Letters that are units without a heading; others may be of kinds, or of places."""
+
 _MOST_OF_MIXED, _MIXED_OF = 1, 2
 """The part of the cells of a column that are units, ranges or meanings of values."""
 
@@ -143,12 +157,14 @@ def role_by_cells(texts: Sequence[str], existing: Set[str], repeats: bool) -> st
     """
     if len(texts) < _FEWEST:
         return ""
+    are_letters = all(len(text) == 1 and text.isalpha() for text in texts) and not {*texts} <= _LETTERS_OF_UNITS
     for role, check in BY_CELLS.items():
         if role not in existing and all(map(check, texts)) and not all(folded(text) in _NO_SPACES for text in texts):
-            return role
+            return "" if role == "unit" and are_letters else role
     known = sum(bool(scaled_unit(text, cells.COMMA) or known_unit(text) or cells.bounds(text)) for text in texts)
     known += sum(value_meanings(text) is not None for text in texts)
-    if _MOST_OF_MIXED * len(texts) <= known * _MIXED_OF and existing.isdisjoint(("unit", "values", "range")):
+    is_mixed = _MOST_OF_MIXED * len(texts) <= known * _MIXED_OF and not are_letters
+    if is_mixed and existing.isdisjoint(("unit", "values", "range")):
         return "unit"  # whose cells may also be ranges, and values with their meanings
     are_words = sum(sum(map(str.isalpha, text)) >= _LETTERS for text in texts) * 4 >= len(texts) * 3
     return "name" if are_words and not repeats and existing.isdisjoint(("name", "label")) else ""

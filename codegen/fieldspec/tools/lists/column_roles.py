@@ -17,6 +17,7 @@ from fieldspec.tools.lists.column_contents import (
     are_exponents,
     are_lengths,
     are_no_types,
+    are_of_memory,
     are_of_parts,
     are_ranks,
     counts_on,
@@ -42,6 +43,9 @@ _NOTATIONS = ("hex", "dec", "decimal", "hexadecimal", "index", "offset", "start"
 
 _SHORTEST_SPACE, _SHORT_SPACES = 4, ("hr", "ir", "3x", "4x")
 """The fewest letters of an address space that heads its addresses, and the shorter names that nothing else has."""
+
+_USUAL = (0, 1, 10000, 30000, 40000, 10001, 30001, 40001, 100000, 300000, 400000, 100001, 300001, 400001)
+"""The differences between the notations of an address, of which a single row is enough."""
 
 _FEWEST_ROLES = 3
 """The fewest columns with roles, and rows, so that another column is that of addresses by its cells."""
@@ -162,9 +166,15 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
                 and (len(sample) == 1 or len({row.cell(column) for row in sample}) > 1)
             ] or columns
             columns = [column for column in columns if not folded(headings[column]).endswith("offset")] or columns
+            columns = [column for column in columns if not are_of_memory(sample, column)] or columns
             if not names:
                 main = [places["address"]] if "address" in places else columns[:1]
-                columns = [column for column in columns if column in main or _has_addresses_of(sample, main[0], column)]
+                columns = [
+                    column
+                    for column in columns
+                    if column in main
+                    or (not _is_of_writes(headings[column]) and _has_addresses_of(sample, main[0], column))
+                ]
         if role == "name" and "name" not in places:
             columns = sorted(columns, key=lambda column: repeats(sample, column))
         if role not in places and columns:
@@ -186,6 +196,7 @@ def guessed_columns(parts: list[list[str]], names: Mapping[str, str], rows: tupl
             column
             for column in ranked(heads, words("headings")["address"], used_columns)
             if has_role("name", [text for row in sample if (text := row.cell(column))], False)
+            and not are_of_memory(sample, column)
         ]
         labels += ranked(heads, words("headings")["label"], {*used_columns, *labels})
         if labels := [column for column in labels if not repeats(sample, column)] or labels[:1]:
@@ -257,9 +268,15 @@ def _has_addresses_of(rows: Sequence[SheetRow], column: int, further_column: int
     for base, other_base in product((DECIMAL, HEXADECIMAL), repeat=2):
         numbers = [(first.number(base), other.number(other_base)) for first, other in pairs if first and other]
         differences = Counter(b - a for a, b in numbers if a is not None and b is not None)
-        if max(differences.values(), default=0) * 2 > len(pairs):
+        (usual, times), *_ = differences.most_common(1) or [(0, 0)]
+        if times * 2 > len(pairs) and (abs(usual) in _USUAL or times >= _FEWEST_ROLES):
             return True
     return not pairs
+
+
+def _is_of_writes(heading: str) -> bool:
+    """Whether a heading is that of addresses where values are written, which are other registers."""
+    return folded(heading).startswith(tuple(word for word in words("headings")["writable"] if len(word) > len("wrt")))
 
 
 def address_rank(heading: str) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, Sheet, SheetRow
+from fieldspec.tools.lists.words import folded, whole_words
 
 _NUMBERED = re.compile(
     r"\s*(?:[-*\u2022]\s+)?`?((?:0x|x)?[0-9a-f]{1,6}h?(?:\s?(?:-|\u2013|\.\.|~)\s?(?:0x)?[0-9a-f]{1,6}h?)?)`?"
@@ -18,7 +19,7 @@ _SPACED = re.compile(
 """A line with only a blank between the address and the name."""
 
 _CELL = re.compile(r"\S+(?: \S+)*")
-_FEWEST = 3
+_FEWEST, _HEADED_BY = 3, 40
 _QUOTED = re.compile(r'(?:^|[,;\t|])"[^"]*$')
 """The beginning of a cell in quotes that the line does not end."""
 
@@ -26,7 +27,7 @@ _QUOTED = re.compile(r'(?:^|[,;\t|])"[^"]*$')
 def numbered_sheet(text: str) -> Sheet | None:
     """The sheet of lines such as `30001 - Frequency (Hz x 100)` or `300 Power`; None for others, and a longer text."""
     lines = text.splitlines()[: MOST_ROWS + 1]
-    if _has_cells_of_lines(lines):
+    if _has_cells_of_lines(lines) or any(map(_is_heading, lines[:_HEADED_BY])):
         return None
     filled = sum(bool(line.strip()) for line in lines)
     for pattern in (_NUMBERED, _SPACED):
@@ -49,6 +50,12 @@ def numbered_sheet(text: str) -> Sheet | None:
 def _has_cells_of_lines(lines: list[str]) -> bool:
     """Whether cells in quotes go over several lines, as `"1=off` and `2=on"` of a column of values do."""
     return any('"' in line and line.count('"') % 2 and _QUOTED.search(line) is not None for line in lines)
+
+
+def _is_heading(line: str) -> bool:
+    """Whether a line has the headings of several columns, one of them of addresses."""
+    roles = [whole_words().get(folded(word)) for word in re.split(r"[\s,;|]+", line.strip())]
+    return "address" in roles and len({*roles} - {None}) >= _FEWEST
 
 
 def placed_sheet(text: str) -> Sheet | None:

@@ -20,7 +20,7 @@ from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.type_words import UNSIGNED, Typed
 from fieldspec.tools.lists.value_texts import Meanings, NamedBits
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import folded, words
 
 _STATE_NUMBER = re.compile("0|-1|255|-?99+")
 _FEWEST = 3
@@ -37,6 +37,12 @@ _OF_BITS = re.compile(r"^bits?$|bitfield|bitmap|bitmask|flags?$|flags?[0-9]|bits
 
 _WIDE = 4
 """The bytes of the registers of most chips."""
+
+_OF_WORDS = re.compile(r"%?(?:m|v|db)w[0-9]+$", re.IGNORECASE)
+"""Words in the memory of a controller, which has one for all kinds of data."""
+
+_TEXT, _CHARACTERS = "text", "char"
+"""The type of texts, and the beginning of the types that a list has for their characters."""
 
 _FINE = ("V", "A", "°C", "°F", "K", "Hz", "%", "bar", "pH", "°")
 """The units in whose parts devices measure."""
@@ -56,13 +62,15 @@ def decided(
     numbers = [wire_number(row_place, ways[0]) for _, row_place in places.rows]
     gaps = [b - a if a is not None and b is not None else 0 for a, b in pairwise(numbers)] + [0]
     sizes = [
-        (row.length, row.type.size if row.type else 0, gap) for row, gap in zip(rows, gaps, strict=True) if row.length
+        (row.length, row.type.size if row.type else 0, gap)
+        for row, gap in zip(rows, gaps, strict=True)
+        if row.length and not _own_unit(row)
     ]
     heading = columns_of_sheet.heading("words") if "words" in columns_of_sheet.places else ""
     unit, length_assumption = directions.length_unit(heading, sizes, options.length)
     if not options.address_unit:
-        _refuse_bytes(rows, numbers, gaps, unit)
-    decided = _with_elements([_with_length(row, unit) for row in rows], columns_of_sheet, assumptions)
+        _refuse_bytes(rows, numbers, gaps, unit, assumptions)
+    decided = _with_elements([_with_length(row, unit) for row in rows], gaps, columns_of_sheet, assumptions)
     role = next((role for role in FACTORS if role in columns_of_sheet.places), "scale")
     bare_rows = [row for row in decided if row.factor is not None and not row.is_times]
     factors = [row.factor for row in bare_rows if row.factor is not None]
@@ -152,8 +160,19 @@ def _with_exponents_apart(rows: Sequence[ListRow]) -> list[ListRow]:
     ]
 
 
-def _refuse_bytes(rows: Sequence[ListRow], numbers: Sequence[int | None], gaps: Sequence[int], unit: str) -> None:
-    """Raises ListError for addresses that lie apart as bytes do."""
+def _refuse_bytes(
+    rows: Sequence[ListRow],
+    numbers: Sequence[int | None],
+    gaps: Sequence[int],
+    unit: str,
+    assumptions: list[Assumption],
+) -> None:
+    """Raises ListError for addresses that lie apart as bytes do, and for even ones of words in a controller's memory,
+    which no odd one shows to count words."""
+    of_words = [row.texts["address"] for row in rows if _OF_WORDS.match(row.texts["address"])]
+    odd = next((text for text in of_words if text[-1] in "13579"), "")
+    if odd:
+        assumptions.append(Assumption("addresses", "words of a memory", f"`{odd}` is odd", "--address-unit"))
     sizes = [
         row.length * LENGTHS["bytes"] // LENGTHS[unit] if row.length else row.type.bytes if row.type else 0
         for row in rows
@@ -169,6 +188,10 @@ def _refuse_bytes(rows: Sequence[ListRow], numbers: Sequence[int | None], gaps: 
         and (not pairs or max(size for _, size in pairs) == _WIDE)
     ):
         evidence = f"all are multiples of {_WIDE}, as of registers of {_WIDE} bytes"
+    elif of_words and not odd:
+        evidence = (
+            f"`{of_words[0]}` is in a memory whose words some controllers count by their bytes, and no number is odd"
+        )
     else:
         return
     raise ListError(
@@ -177,26 +200,53 @@ def _refuse_bytes(rows: Sequence[ListRow], numbers: Sequence[int | None], gaps: 
     )
 
 
-def _with_elements(rows: list[ListRow], columns_of_sheet: Columns, assumptions: list[Assumption]) -> list[ListRow]:
+def _with_elements(
+    rows: list[ListRow], gaps: Sequence[int], columns_of_sheet: Columns, assumptions: list[Assumption]
+) -> list[ListRow]:
     """The rows, with counts as their lengths where each is the number of words of its type, or that of a text without
-    a length: no value is repeated. Beside strides, they count values."""
-    rows_with_counts = [
-        row for row in rows if "count" in row.texts and row.words is None and row.type and row.type.name
-    ]
-    if any("stride" in row.texts for row in rows_with_counts):
+    a length: no value is repeated. They are characters of the type `char`, and of a text whose next address is nearer.
+    Beside strides, they count values."""
+    counted = {
+        row.row: row.type for row in rows if "count" in row.texts and row.words is None and row.type and row.type.name
+    }
+    sized = [row for row in rows if row.row in counted and counted[row.row].size]
+    are_elements = any(row.count != counted[row.row].size for row in sized)
+    of_characters = {
+        row.row
+        for row, gap in zip(rows, gaps, strict=True)
+        if row.row in counted
+        and counted[row.row].name == _TEXT
+        and row.count > 1
+        and (0 < gap < row.count or folded(row.texts["type"]).startswith(_CHARACTERS))
+    }
+    of_words = {number for number, own_type in counted.items() if own_type.name == _TEXT or not are_elements}
+    if any("stride" in row.texts for row in rows if row.row in counted):
         return rows
-    sized = [row for row in rows_with_counts if row.type is not None and row.type.size]
-    if all(row.count == 1 for row in rows_with_counts) or any(row.type and row.count != row.type.size for row in sized):
-        return rows
-    heading = columns_of_sheet.heading("count")
-    assumptions.append(Assumption(heading, "lengths in words", "each is that of the type", "--column words"))
-    numbers = {row.row for row in rows_with_counts}
-    return [replace(row, words=row.count, count=1) if row.row in numbers else row for row in rows]
+    for readings, reading, evidence in (
+        (of_words - of_characters, "lengths in words", "each is that of the type, or of a text"),
+        (of_characters, "characters of texts", "their types and their next addresses"),
+    ):
+        if any(row.count > 1 for row in rows if row.row in readings):
+            assumptions.append(Assumption(columns_of_sheet.heading("count"), reading, evidence, "--column words"))
+    result = []
+    for row in rows:
+        if row.row in of_characters:
+            row = replace(row, type=replace(counted[row.row], length=row.count), count=1)
+        elif row.row in of_words:
+            row = replace(row, words=row.count, count=1)
+        result.append(row)
+    return result
+
+
+def _own_unit(row: ListRow) -> str:
+    """The unit that the cell of a length has itself: `16 bytes`; empty for a number alone."""
+    text = folded(row.texts.get("words", "").strip("0123456789 "))
+    return next((unit for unit, own in words("lengths").items() if text and text.startswith(own)), "")
 
 
 def _with_length(row: ListRow, unit: str) -> ListRow:
     """A row with its words, by the unit of its length; a length that is not a whole number of words is a doubt."""
-    text = row.texts.get("words", "")
+    text, unit = row.texts.get("words", ""), _own_unit(row) or unit
     factor = LENGTHS[unit]
     if unit == "bits" and row.bits is not None and row.length and row.length % factor:
         return replace(row, bits=(row.bits[0], row.bits[0] + row.length - 1))

@@ -145,6 +145,9 @@ def _with_bits(entry: Entry, rows: Sequence[ListRow], refused: list[Refusal]) ->
             refused.append(Refusal(row.row, "", "", reason))
             continue
         rows_by_bit.update(dict.fromkeys(range(low, high + 1), row.row))
+        if low == high and row.type is not None and row.type.of_words(1)[0] in "if":
+            doubt = f"The list says {row.texts.get('type', row.type.name)}, and a bit of it."
+            row = replace(row, doubts=(*row.doubts, doubt))
         bits.append(Bit(low, high, "", row))
     bits.sort(key=lambda bit: bit.low)
     return replace(entry, bits=tuple(bits), shape=replace(own_shape, type=own_type, doubts=tuple(doubts)))

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from fieldspec.foundation.classes import dataclass, replace
+from fieldspec.foundation.line_text import plural
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL, REFERENCE
 from fieldspec.tools.lists.assumption import Assumption, Refusal
@@ -17,6 +18,9 @@ from fieldspec.tools.lists.rolling_up import rolled_up
 from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER, REGISTER, SIGNAL, ListRow
 from fieldspec.tools.lists.shapes import BIT, shape
 from fieldspec.tools.lists.sheet import ListError, Sheet
+
+_MOST_WORDS, _MOST_ROWS = 4, 5
+"""The words of the greatest number, and the most rows that are named."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,10 +107,30 @@ def imported(register_list: Listing, sheet: Sheet, offset: int) -> Imported:
             (*register_list.refused, *refused),
         )
     )
-    if register_list.own or not any(map(_lacks_order, result.registers)):
+    if register_list.own:
+        return result
+    result = replace(result, assumptions=(*result.assumptions, *_types(result.registers)))
+    if not any(map(_lacks_order, result.registers)):
         return result
     order = Assumption("order of words", "ABCD, the high word first", "the list does not say it", "--order")
-    return replace(result, assumptions=(*assumptions, order))
+    return replace(result, assumptions=(*result.assumptions, order))
+
+
+def _types(registers: Sequence[Entry]) -> Iterator[Assumption]:
+    """The assumption about the registers whose types the list does not say."""
+    silent = [entry for entry in registers if entry.kind == REGISTER and entry.is_own and entry.shape.inferred]
+    types = ", ".join(sorted({entry.shape.type for entry in silent} - {BIT}))
+    wide = [
+        entry.row.row
+        for entry in silent
+        if entry.row.words is None and entry.shape.words < entry.row.gap <= _MOST_WORDS
+    ]
+    if types:
+        numbers = ", ".join(map(str, wide[:_MOST_ROWS]))
+        places = f"; the next address is further after row{'s' * (len(wide) > 1)} {numbers}" if wide else ""
+        yield Assumption(
+            "types", types, f"the list does not say them of {plural(len(silent), 'row')}{places}", "--column type"
+        )
 
 
 def _overlaps(row: ListRow) -> bool:

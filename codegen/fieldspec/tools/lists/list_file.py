@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from fieldspec.foundation.classes import attributes
+from fieldspec.foundation.classes import attributes, replace
 from fieldspec.tools.lists.assumption import Options
 from fieldspec.tools.lists.formats.recognition import formatted_list
 from fieldspec.tools.lists.listing import Listing, listing
@@ -30,7 +30,9 @@ def file_list(
     formatted = formatted_list(decoded(content, encoding), options.node) if is_text else None
     if formatted is None:
         sheet = content_sheet(content, encoding, sheet_name)
-        return sheet, listing(sheet, names, options)
+        found = listing(sheet, names, options)
+        lines = max(sheet.lines, *(row.number for row in found.columns.rows))  # a matrix has more rows than the file
+        return replace(sheet, lines=lines), found
     idle = [*names, *(key for key in attributes(Options) if key != "node" and getattr(options, key))]
     if idle:
         raise ListError(f"says that itself, so --{idle[0].replace('_', '-')} has no effect; leave it out")

@@ -14,31 +14,38 @@ from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.addresses import HEXADECIMAL, HIGHEST, REFERENCE, Place, address_text
 from fieldspec.tools.lists.assumption import STATED_NOTHING, Assumption, Options, Refusal
 from fieldspec.tools.lists.cells import COMMA, POINT, decimal_sign
-from fieldspec.tools.lists.column_roles import FURTHER, Columns, headings_text
+from fieldspec.tools.lists.column_roles import Columns, address_rank, headings_text
 from fieldspec.tools.lists.decisions import decided
 from fieldspec.tools.lists.entries import SPACES
 from fieldspec.tools.lists.export import COLUMNS as OWN_COLUMNS
 from fieldspec.tools.lists.exported_rows import OF_THE_MANUAL, exported_row, uncited
-from fieldspec.tools.lists.heading_words import NOTE
+from fieldspec.tools.lists.memories import assumed_areas, unknown_areas
 from fieldspec.tools.lists.numbering import (
     Placed,
-    assumed_areas,
     bases,
     contradictions,
     is_reference_of_other,
     placed,
     shortened_bits,
-    unknown_areas,
     wire_number,
 )
 from fieldspec.tools.lists.object_rows import as_parameters, with_objects, with_subindices_apart
+from fieldspec.tools.lists.row_cells import row_cells, row_texts
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
-from fieldspec.tools.lists.row_reading import Cells, ListRow, read_row
-from fieldspec.tools.lists.row_spaces import titled_order, titles, unread_texts, with_spaces
+from fieldspec.tools.lists.row_reading import ListRow, read_row
+from fieldspec.tools.lists.row_spaces import (
+    said_base,
+    titled_order,
+    titles,
+    unread_texts,
+    with_bits_from_zero,
+    with_spaces,
+)
 from fieldspec.tools.lists.shapes import BIT, with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns, without_numbers
 from fieldspec.tools.lists.type_words import Loose
+from fieldspec.tools.lists.unrolled import matrix, side_by_side
 from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import meaning
 
@@ -48,7 +55,6 @@ _FEWEST_CODES = 3
 _WIDE_STEPS = (4, 8)
 """The bytes of registers with more than a word."""
 
-_EMPTY = ("-", "--", "---", "n/a", "N/A", "undefined", "\u2013", "\u2014", "/")
 _BIT_NAME = re.compile(
     r"(?:bit|b)\s*\.?([0-9]{1,2})(?:\s*(?:-|\.\.|~)\s*(?:bit|b)?([0-9]{1,2}))?\b[\s:=.)-]*(.*)", re.IGNORECASE
 )
@@ -107,32 +113,30 @@ class Listing:
                 cell = self.columns.cell(sheet_row, "address")
                 refused.append(Refusal(row.row, heading, cell, "begins at the second byte of a register"))
             else:
-                rows.append(whole if row.is_own else with_elements(whole, SPACES.get(whole.space, False)))
-        return _with_gaps(_with_bits_beneath(rows, self)), refused
+                rows.append(whole)
+        rows = _with_gaps(_with_bits_beneath(rows, self))
+        if not self.own:
+            rows = [with_elements(row, SPACES.get(row.space, False)) for row in rows]
+        return rows, refused
 
 
 def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NOTHING) -> Listing:
     """The list in a sheet. `names` has the columns of some roles. Raises ListError if the sheet is not a list."""
-    sheet = without_numbers(sheet)
-    columns_of_sheet = columns(with_subindices_apart(sheet), names)
-    if not names and {*columns_of_sheet.places} <= {"address", "space"} and len(columns_of_sheet.unused()) > 1:
-        raise ListError(
-            f"has addresses under {columns_of_sheet.heading('address')}, and no other column that is understood "
-            f"({headings_text(columns_of_sheet.headings)}); name the column of addresses with --address"
-        )
+    assumptions: list[Assumption] = []
+    sheet, columns_of_sheet = _with_columns(without_numbers(sheet), names, assumptions)
     first_row = columns_of_sheet.rows[0].number
     own = sorted(columns_of_sheet.headings) == sorted(OWN_COLUMNS)
     refused: list[Refusal] = []
-    assumptions: list[Assumption] = []
     has_objects = False
     if not own:
         columns_of_sheet, has_objects = with_objects(columns_of_sheet, options.base, refused, assumptions)
-    places = placed(columns_of_sheet, options.base)
-    ways = bases(places, options.base, columns_of_sheet.heading("address"))
+    base = options.base or ("" if own else said_base(sheet, assumptions))
+    places = placed(columns_of_sheet, base)
+    ways = bases(places, base, columns_of_sheet.heading("address"))
     if own:
         cited = {role: columns_of_sheet.headings.index(role) for role in OF_THE_MANUAL}
         columns_of_sheet = replace(columns_of_sheet, places={**columns_of_sheet.places, **cited})
-    assumptions += [*shortened_bits(places), *assumed_areas(places)]
+    assumptions += [*shortened_bits(places), *assumed_areas(places.rows)]
     if places.wire_heading:
         evidence = "other columns have their references, or count from 1"
         assumptions.append(Assumption("addresses", f"as in {places.wire_heading}", evidence, "--address"))
@@ -161,25 +165,22 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     ]
     places = replace(places, rows=tuple(pair for pair in places.rows if pair[0].number not in sheet.refused))
     numbers = {row.number for row, _ in places.rows}
+    refused += [
+        Refusal(number, place, text, "is a comment beside the registers")
+        for number, comments in sheet.comments.items()
+        for place, text in comments
+        if number not in numbers
+    ]
+    if sheet.hidden:
+        assumptions.append(Assumption("hidden cells", "read as others", ", ".join(sheet.hidden)))
     has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
     assumptions += [] if own else unread_texts(sheet, numbers, has_factors)
     order = options.order or titled_order(sheet, numbers, assumptions)
     further = _further_cells(columns_of_sheet, places, assumptions)
     read = []
     for sheet_row, row_place in places.rows:
-        texts = {
-            role: text
-            for role, text in columns_of_sheet.texts(sheet_row).items()
-            if text not in _EMPTY or role == "address"
-        }
-        if "readable" in columns_of_sheet.places and "writable" in texts:
-            texts.setdefault("readable", "no")
-        if text := texts.get("read_only", ""):
-            answers = {True: "no", False: "yes", None: f"read only: {text}"}
-            texts.setdefault("writable", answers[cells.answer(text)])
-        if "function_write" in texts:
-            texts["function"] = ",".join(texts[role] for role in ("function", "function_write") if role in texts)
-        row = read_row(_cells(columns_of_sheet, sheet_row, texts), decimal, order)
+        texts = row_texts(columns_of_sheet, sheet_row)
+        row = read_row(row_cells(columns_of_sheet, sheet_row, texts, sheet.comments), decimal, order)
         if row_place.bits is not None and row_place.bracketed and "array" in texts.get("type", "").casefold():
             row = replace(row, count=max(row_place.bits[1], 1))  # `100 [4]` has four elements
             row_place = replace(row_place, bits=None)
@@ -191,7 +192,9 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         space = area or row.space or cells.space(sheet.name)
         read.append(replace(row, bits=row_place.bits or row.bits, space=space))
     read = with_spaces(read, sheet, assumptions)
-    unknown = list(unknown_areas(places, {row.row: row.space for row in read}, columns_of_sheet.heading("address")))
+    read = read if own else with_bits_from_zero(read, assumptions)
+    spaces = {row.row: row.space for row in read}
+    unknown = list(unknown_areas(places.rows, spaces, columns_of_sheet.heading("address")))
     refused += unknown
     refused_rows = {refusal.row for refusal in unknown}
     read = [row for row in read if row.row not in refused_rows]
@@ -199,14 +202,13 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     if not read:
         raise ListError(f"has no row that can be taken: {refused[0].text()}")
     undecided: list[Assumption] = []
-    if not own:
-        _refuse_codes(read, places, columns_of_sheet)
     if own:
         read = [exported_row(row) for row in read]
         marks = {row.cited.mark if row.cited is not None else LINES for row in read}
         if len(marks) > 1:  # a manual has lines or pages, and rows without a place have lines of the list
             read = [uncited(row) if row.cited is not None and row.cited.mark != LINES else row for row in read]
     else:
+        _refuse_codes(read, places, columns_of_sheet)
         columns_of_sheet, read = with_values_beneath(columns_of_sheet, read, places.skipped)
         read = decided(columns_of_sheet, read, places, ways, options, assumptions, undecided)
     if has_objects:
@@ -226,6 +228,32 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     )
 
 
+def _with_columns(sheet: Sheet, names: Mapping[str, str], assumptions: list[Assumption]) -> tuple[Sheet, Columns]:
+    """A sheet with a row for each register, and its columns. Raises ListError where none has addresses."""
+    if names:
+        return sheet, columns(with_subindices_apart(sheet), names)
+    sheet = side_by_side(sheet, assumptions)
+    fault = None
+    try:
+        found = columns(with_subindices_apart(sheet), names)
+    except ListError as error:
+        fault = error
+    else:
+        heading = found.heading("address")
+        if {*found.places} <= {"address", "space"} and len(found.unused()) > 1:
+            fault = ListError(
+                f"has addresses under {heading}, and no other column that is understood "
+                f"({headings_text(found.headings)}); name the column of addresses with --address"
+            )
+        elif address_rank(heading):
+            return sheet, found
+    if (unrolled := matrix(sheet, assumptions)) is not None:
+        return unrolled, columns(unrolled, names)
+    if fault is not None:
+        raise fault
+    return sheet, found
+
+
 def _refuse_codes(rows: Sequence[ListRow], places: Placed, columns_of_sheet: Columns) -> None:
     """Raises ListError for numbers such as `P01.02` that are codes of parameters: most have more values than a bit."""
     of_bits = {row.number for row, place in places.rows if place.bits is not None and place.bits[0] == place.bits[1]}
@@ -239,26 +267,6 @@ def _refuse_codes(rows: Sequence[ListRow], places: Placed, columns_of_sheet: Col
             f"has `{text}` under {columns_of_sheet.heading('address')}, which is a bit, or the code of a parameter: "
             f"row {wider[0].row} has more values than a bit; give whole addresses, or name their column with --address"
         )
-
-
-def _cells(columns_of_sheet: Columns, row: SheetRow, texts: Mapping[str, str]) -> Cells:
-    """The cells of a row: its names are the cells of all columns of names, then its printed name and its label."""
-    further_columns = columns_of_sheet.more
-    further = [text for column in further_columns.get("name", ()) if (text := row.cell(column)) and text not in _EMPTY]
-    names = [texts[role] for role in ("name",) if role in texts] + further
-    names += [texts[role] for role in ("printed_name", "label") if role in texts]
-    noted = [columns_of_sheet.places[NOTE]] if NOTE in columns_of_sheet.places else []
-    notes = tuple(
-        (columns_of_sheet.heading_at(column), row.cell(column))
-        for column in (
-            *noted,
-            *further_columns.get(NOTE, ()),
-            *(n for role in FURTHER for n in further_columns.get(role, ())),
-        )
-        if row.cell(column) and row.cell(column) not in (*_EMPTY, *(texts.get(role) for role in FURTHER))
-    )
-    has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
-    return Cells(row.number, texts, tuple(names), notes, has_factors)
 
 
 def _decimal(columns_of_sheet: Columns, assumptions: list[Assumption]) -> str:
@@ -333,6 +341,9 @@ def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRo
         )
     if span is not None and row.words not in (None, span):
         doubts = (*doubts, f"The list says {row.texts.get('words')} words, and {span} addresses.")
+    names = re.split(r"\s*[/,+]\s*", row.names[0]) if row.names and row.type is None and not row.length else []
+    if span is not None and span == len(names) > 1:
+        doubts = (*doubts, f"The list has {span} addresses, and a name for each.")
     is_bit = row.type is not None and (row.type.name == BIT or row.type.kind is Loose.TRUTH)
     if span is not None and span > 1 and is_bit and not row.words:
         doubts = (*doubts, f"The list says {row.texts.get('type')}, and {span} addresses.")
@@ -360,7 +371,7 @@ def _bits_beneath(register_list: Listing) -> Iterator[ListRow]:
     """Rows of bits without an address, which stand at -1 until the register above is known."""
     for row in register_list.places.skipped:
         texts = {role: text for role in register_list.columns.places if (text := register_list.columns.cell(row, role))}
-        cells = _cells(register_list.columns, row, texts)
+        cells = row_cells(register_list.columns, row, texts, {})
         match = next((match for name in cells.names if (match := _BIT_NAME.fullmatch(name))), None)
         list_row = read_row(cells, POINT, "")
         if list_row.bits is not None and "bit" in texts and cells.names:

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 
 from fieldspec.language.schema import schema
 from fieldspec.tools.lists.brackets import without_brackets
+from fieldspec.tools.lists.words import meanings
 
 _NAME = re.compile(schema()["$defs"]["name"]["pattern"])
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
@@ -16,8 +17,7 @@ _BETWEEN = re.compile(r"\s*[/|]\s*")
 
 _LONGEST = 48
 _ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth", "6th": "sixth"}
-_LATIN = dict(zip("ßæÆøØłŁđĐþ\u0131∑", ["ss", "ae", "AE", "o", "O", "l", "L", "d", "D", "th", "i", "sum"], strict=True))
-_ALPHABETS = re.compile(r"(?:GREEK|CYRILLIC) (?:SMALL|CAPITAL) LETTER (?:FINAL )?([A-Z]+)(?: .*)?")
+_GREEK = re.compile(r"GREEK (?:SMALL|CAPITAL) LETTER (?:FINAL )?([A-Z]+)(?: .*)?")
 
 
 def named(texts: Iterable[str], address: int, kind: str = "register") -> str:
@@ -54,15 +54,13 @@ def _snake(text: str) -> str:
 
 
 def _letter(sign: str) -> str:
-    """A sign as Latin letters, where it has some: `ß`, and the names of Greek letters."""
+    """A sign as Latin letters, where it has some: `ß`, the sound of Cyrillic and the names of Greek letters."""
     if sign.isascii():
         return sign
-    if sign in _LATIN:
-        return _LATIN[sign]
-    latin = _ALPHABETS.fullmatch(unicodedata.name(sign, ""))
-    if latin is None:
-        return sign
-    return f" {latin[1].lower()} " if "\u0370" <= sign <= "\u03ff" else latin[1].lower()
+    if (latin := meanings("letters").get(sign.lower())) is not None:
+        return latin.upper() if sign.isupper() else latin
+    greek = _GREEK.fullmatch(unicodedata.name(sign, ""))
+    return f" {greek[1].lower()} " if greek is not None else sign
 
 
 def fresh(name: str, suffix: str, names: set[str]) -> str:

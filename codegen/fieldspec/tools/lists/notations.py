@@ -72,9 +72,20 @@ def _with_coils(rows: list[tuple[SheetRow, Place]]) -> Iterator[tuple[SheetRow, 
 
 
 def _with_short_references(rows: list[tuple[SheetRow, Place]], columns: Columns) -> Iterator[tuple[SheetRow, Place]]:
-    """The places, with `6` in a row of coils, and `0006`, as `00006` beside references with all their digits."""
+    """The places, with `6` in a row of coils or beside the references of several tables, and `0006`, as `00006` beside
+    references with all their digits."""
     digits = [row_place.first.digits for _, row_place in rows]
-    are_coils = [cells.space(columns.cell(row, "space")) == _COILS for row, _ in rows]
+    of_tables = {text[0] for text in digits if len(text) == _DIGITS}
+    codes = [cells.functions(columns.cell(row, "function")) for row, _ in rows]
+    own_spaces = [
+        code.space if code else cells.space(columns.cell(row, "space"))
+        for (row, _), code in zip(rows, codes, strict=True)
+    ]
+    has_tables = of_tables <= TABLES.keys() and len(of_tables) > 1
+    are_coils = [
+        own_space == _COILS or (has_tables and not own_space and text.isdecimal() and int(text) > 0)
+        for text, own_space in zip(digits, own_spaces, strict=True)
+    ]
     short = [
         text.isdecimal() and len(text) < _DIGITS and (is_coil or (text.startswith("0") and len(text) == _DIGITS - 1))
         for text, is_coil in zip(digits, are_coils, strict=True)

@@ -40,7 +40,8 @@ def numbers(row: ListRow, primitive: Primitive, has_exponent: bool, doubts: list
         parts.append(f"range: {row.low:f}..{row.high:f}")
     else:
         unread = {"Least value": texts.get("min"), "Greatest value": texts.get("max")}
-        unread |= {"Range": texts.get("range")} if row.low is not None else {}
+        is_apart = row.low is not None and row.high is not None and not any(unread.values())
+        unread |= {"Range": texts.get("range", f"{row.low:f}..{row.high:f}")} if is_apart else {}
         doubts += [f"{heading} in the list: {text}." for heading, text in unread.items() if text]
     states = ", ".join(number for number, _ in row.special if not number.startswith("NaN"))
     special = Ranges(whole_intervals(states) or ()) if states else Ranges(())

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from string import hexdigits
 
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.tools.lists.addresses import (
@@ -15,13 +14,13 @@ from fieldspec.tools.lists.addresses import (
     AddressText,
     Place,
     address_text,
-    are_of_two_bytes,
     base_of_heading,
-    count_bytes,
     place,
+    whole_notation,
 )
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.column_roles import Columns
+from fieldspec.tools.lists.memories import of_memories, undecided, with_areas
 from fieldspec.tools.lists.notations import are_most, with_notations
 from fieldspec.tools.lists.sheet import CellError, ListError, SheetRow
 from fieldspec.tools.lists.words import folded, words
@@ -56,15 +55,15 @@ def placed(columns: Columns, base: str = "") -> Placed:
     heading = columns.heading("address")
     texts = [text for row in columns.rows if (text := columns.cell(row, "address"))]
     headings = {*filter(None, columns.headings)}
-    are_bytes, are_of_memory = are_of_two_bytes(texts), count_bytes(texts)
+    rewritten, memories = whole_notation(texts), of_memories(texts)
     for row in columns.rows:
         filled = [*filter(None, row.cells)]
         is_heading = sum(cell in headings for cell in filled) * 2 > len(filled)
         text = columns.cell(row, "address") if not is_heading else ""
         try:
-            if are_of_memory and text.startswith("%"):
-                raise CellError("is a place in a memory that counts bytes, and not an address on a bus")
-            row_place = place(text.replace(",", " ") if are_bytes else text) if text else None
+            if text in memories:
+                raise CellError(memories[text])
+            row_place = place(rewritten(text)) if text else None
         except CellError as error:
             refused.append(Refusal(row.number, heading, text, str(error)))
             continue
@@ -79,7 +78,7 @@ def placed(columns: Columns, base: str = "") -> Placed:
     if not rows:
         _refuse_all(columns, refused)
     rows, wire_heading = with_notations(rows, columns)
-    placed_rows = list(_with_areas(rows, base, heading))
+    placed_rows = list(with_areas(rows, base, heading))
     shortened = {row.number for row in _shortened(placed_rows)}
     reason = "is this bit, or one whose number ends in a zero that a spreadsheet has dropped; write it as a text"
     refused += [
@@ -102,51 +101,6 @@ def _refuse_all(columns: Columns, refused: Sequence[Refusal]) -> None:
         f"has no address under {heading}{': ' + examples_text if examples_text else ''}"
         f"{parted or '; name the column with --address'}"
     )
-
-
-def _with_areas(rows: list[tuple[SheetRow, Place]], base: str, heading: str) -> Iterator[tuple[SheetRow, Place]]:
-    """The places, with `C3` as the coil 3 where the user reads numbers as decimal, and beside `HR100`.
-
-    Raises ListError where other digits show that `C3` may as well be a hexadecimal number.
-    """
-    firsts = [row_place.first for _, row_place in rows]
-    is_named = any(first.area for first in firsts) and base != HEXADECIMAL
-    lettered = next((first.digits for first in firsts if first.prefixed), "")
-    if is_named and not base and lettered and any(f.lettered and not (f.prefixed or f.area) for f in firsts):
-        raise _undecided(lettered, heading)
-    for row, row_place in rows:
-        first, last = row_place.first, row_place.last
-        if first.prefixed and (is_named or base == DECIMAL):
-            last = last.behind_area() if last is not None and last.prefixed else last
-            row_place = replace(row_place, first=first.behind_area(), last=last)
-        yield row, row_place
-
-
-def _undecided(digits: str, heading: str) -> ListError:
-    return ListError(
-        f"has the address `{digits}` under {heading}, which is hexadecimal, or decimal after the name of a memory "
-        "area: choose with --base hex or --base decimal"
-    )
-
-
-def assumed_areas(placed_rows: Placed) -> Iterator[Assumption]:
-    """The assumption about letters that may be hexadecimal digits in a list with names of areas."""
-    firsts = [row_place.first for _, row_place in placed_rows.rows if row_place.first.area]
-    digit = next((first for first in firsts if first.area in hexdigits), None)
-    other = next((first for first in firsts if first.area not in hexdigits), None)
-    if digit is not None and other is not None:
-        evidence = f"`{digit.area}{digit.digits}` beside `{other.area}{other.digits}`"
-        yield Assumption("addresses", "names of areas before decimal numbers", evidence, "--base hex")
-
-
-def unknown_areas(placed_rows: Placed, spaces: Mapping[int, str], heading: str) -> Iterator[Refusal]:
-    """The rows with the name of an area beside others, where neither it nor `spaces` says which address space it is."""
-    areas = {row_place.first.area.casefold() for _, row_place in placed_rows.rows if row_place.first.area}
-    for row, row_place in placed_rows.rows if len(areas) > 1 else ():
-        first = row_place.first
-        if first.area and not first.space and not spaces.get(row.number):
-            reason = f"names the area `{first.area}`; say its address space in a column, and name that with --space"
-            yield Refusal(row.number, heading, f"{first.area}{first.digits}", reason)
 
 
 def _shortened(rows: Sequence[tuple[SheetRow, Place]]) -> Iterator[SheetRow]:
@@ -183,6 +137,8 @@ def bases(placed_rows: Placed, base: str, heading: str) -> tuple[str, ...]:
     stated = base or base_of_heading(heading)
     lettered = [end for end in ends if end.lettered]
     if not stated and lettered and not _is_prefixed(ends):
+        if any(end.area and not end.space for end in ends) and not all(end.area for end in ends):
+            raise undecided(lettered[0].digits, heading)
         stated = HEXADECIMAL
     if stated:
         if all(end.number(stated) is None for end in ends):
@@ -206,7 +162,7 @@ def _ends(placed_rows: Placed) -> Iterator[AddressText]:
 
 def _is_prefixed(ends: Sequence[AddressText]) -> bool:
     """Whether all addresses are decimal digits after a letter, which may be an area of a controller's memory."""
-    return all(end.prefixed for end in ends)
+    return bool(ends) and all(end.prefixed for end in ends)
 
 
 def _are_references(ends: Sequence[AddressText]) -> bool:
@@ -247,7 +203,7 @@ def chosen(
         return ways[0], Assumption("addresses", _NOTATIONS[ways[0]], f"letters among digits: `{lettered}`", "--base")
     ends = [end for end in _ends(placed_rows) if not end.mark]
     if _is_prefixed(ends):
-        raise _undecided(ends[0].digits, heading)
+        raise undecided(ends[0].digits, heading)
     if REFERENCE in ways and all(map(is_reference_of_other, (row_place for _, row_place in placed_rows.rows))):
         return REFERENCE, Assumption(
             "addresses", "those in brackets", "the numbers before them are their references", "--base"

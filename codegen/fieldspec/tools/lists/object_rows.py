@@ -13,7 +13,7 @@ from fieldspec.tools.lists.column_roles import Columns
 from fieldspec.tools.lists.row_reading import PARAMETER, ListRow, bits
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
 from fieldspec.tools.lists.type_words import Loose, Typed
-from fieldspec.tools.lists.words import meaning
+from fieldspec.tools.lists.words import meaning, pattern
 
 OBJECTS = "objects"
 """The space of the numbers of objects."""
@@ -31,7 +31,7 @@ _INDEX_AND_SUBINDEX = re.compile(
     r"((?:0x|16#)?[0-9a-f]{4}h?)\s*(?:[:./,_-]|\bsub(?:index)?|[\[(]|\s)\s*((?:0x)?[0-9a-f]{1,2}h?)\s*[\])]?",
     re.IGNORECASE,
 )
-_COUNTING = re.compile(r"number|count|entries|highest|largest|sub-?ind|anzahl|nombre|número|numero|数", re.IGNORECASE)
+
 _SPAN = re.compile(r"\s*(?:\.\.+|-|\u2013|~|\bto\b)\s*")
 
 
@@ -145,7 +145,7 @@ def as_parameters(
 
 def _headed(first: ListRow) -> ListRow:
     """The row of an object that has none, with the name of the first element, if this does not count the others."""
-    names = first.names if first.subindices == (0, 0) and not _COUNTING.search(" ".join(first.names)) else ()
+    names = first.names if first.subindices == (0, 0) and not pattern("counting").search(" ".join(first.names)) else ()
     return ListRow(first.row, first.address, names=names, texts={"label": names[0]} if names else {})
 
 

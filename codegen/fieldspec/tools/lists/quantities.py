@@ -150,7 +150,7 @@ def unit_cell(text: str, decimal: str) -> Quantity | None:
         scaled = scaled_unit(suffix[1], decimal) if suffix[2] not in "/÷" and value is not None else None
         if scaled is not None and scaled.scale is not None and scaled.scale * Fraction(value or 0) == 1:
             return scaled  # `0.1 °C x 10` says the step, and how many of them are one of the unit
-        if unit and value is not None and value > 1 and suffix[2] in "/÷":
+        if unit and value is not None and value > 0 and suffix[2] in "/÷":
             return Quantity(1 / Fraction(value), unit)
         if unit and value is not None and 0 < value < 1:
             return Quantity(Fraction(value), unit)

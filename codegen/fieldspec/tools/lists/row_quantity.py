@@ -22,7 +22,7 @@ from fieldspec.tools.lists.quantities import (
     unit_cell,
 )
 from fieldspec.tools.lists.type_words import typed
-from fieldspec.tools.lists.words import folded, meaning, whole_words, words
+from fieldspec.tools.lists.words import alternatives, folded, meaning, whole_words, words
 
 FACTORS = ("scale", "gain", "divisor")
 """The roles of columns with factors, whose direction a list may leave open."""
@@ -36,30 +36,22 @@ IDLE_SCALES = ("none", "linear")
 _WEIGHT = re.compile(r"(?:value\s+)?weight\s*:?\s*([^\W\d]+)\s*[*x\u00d7]\s*([1-9][0-9]{0,8})", re.IGNORECASE)
 """How many counts are one of a unit: `Value weight: Volt*10`."""
 
-_STEP = re.compile(
-    r"(?:\b(?:in|units? of|steps? of|unit:?|resolution:?|einheit:?)|单位:?|,(?=[^,]*$))"
-    r"\s*((?:0[.,][0-9]{1,4}|1/10+|1)\s?[^\s0-9,;.()]{1,6})",
-    re.IGNORECASE,
-)
-_UNIT = re.compile(r"(?:units?|einheit|unidad|unité|unità|单位|單位)\s*[:=]?\s*(\S{1,8})\.?", re.IGNORECASE)
-_FRACTION = re.compile(
-    r"\b(?:(tenths? of an?|tenths? of|zehntel|decimi di|d[ée]cimas de|dixi[èe]mes? de)"
-    r"|(?:hundredths? of an?|hundredths? of|hundertstel|centesimi di|cent[ée]simas de|centi[èe]mes? de))\s+(\S{1,8})",
-    re.IGNORECASE,
-)
+_STEP = re.compile(alternatives("step") + r"\s*((?:0[.,][0-9]{1,4}|1/10+|1)\s?[^\s0-9,;.()]{1,6})", re.IGNORECASE)
+_UNIT = re.compile(alternatives("unit") + r"\s*[:=]?\s*(\S{1,8})\.?", re.IGNORECASE)
+_FRACTION = re.compile(rf"\b(?:({alternatives('tenth')})|{alternatives('hundredth')})\s+(\S{{1,8}})", re.IGNORECASE)
 _EXAMPLE = re.compile(
-    r"(?:(?:e\.?g\.?|for example|z\.? ?b\.?|beispiel)\s*:?\s*)?([-+]?[0-9]{1,9})(?:\s*-\s*([0-9]{1,9}))?"
-    r"(?:\s*(?:digits?|counts?|bits?|lsb|steps?|units?|inkremente?))?\s*(?:=|->|→|means|equals|entspricht|bedeutet)"
+    rf"(?:{alternatives('example')}\s*:?\s*)?([-+]?[0-9]{{1,9}})(?:\s*-\s*([0-9]{{1,9}}))?"
+    rf"(?:\s*{alternatives('counts')})?\s*{alternatives('means')}"
     r"\s*\+?(-?[0-9]+(?:[.,][0-9]+)?)(?:\s*-\s*([0-9]+(?:[.,][0-9]+)?))?\s*([^\s0-9][^0-9=;()]{0,15})",
     re.IGNORECASE,
 )
 _ASIDES = re.compile(r"[(\[]([^()\[\]]{2,30})[)\]]")
 _SENTENCES = re.compile(r"[;\n]|[.,](?=\s|$)")
-COUNT = re.compile(
-    r"\(?\s*(?:raw|reg(?:ister)?|value|val|data|count|wert|rohwert|x|n)(?:[ _]?(?:value|val|data))?\s*[-+*/x\u00d7÷]",
-    re.IGNORECASE,
-)
+COUNT = re.compile(rf"\(?\s*{alternatives('count')}(?:[ _]?(?:value|val|data))?\s*[-+*/x\u00d7÷]", re.IGNORECASE)
 """The count in a formula within a text."""
+
+_SCALE_BEHIND = re.compile(r"(?<=\S)\s+[*x\u00d7]\s?(0[.,]0*1)$", re.IGNORECASE)
+"""A part of ten after its sign at the end of a description: `Grid voltage x0.1`."""
 
 _TIMES = re.compile(r"^\s*[*x\u00d7]\s*", re.IGNORECASE)
 _BEHIND_RANGE = re.compile(r"(?:(?<=[0-9])[^\s0-9.,xX]|(?<=[0-9]) [^\s0-9])[^\s0-9]*$")
@@ -127,7 +119,9 @@ def quantity_of(
             unit = replace(unit, unit=unit.unit or known_unit(weight[1]))
         elif len(note.strip()) > 1:  # a name may be a word of a unit, too: `Hour`
             unit = replace(unit, unit=unit.unit or known_unit(note))
-    for role in FACTORS:
+    joint = joint_factor(texts, decimal)
+    stated += [joint] if joint else []
+    for role in FACTORS if not joint else ():
         cell = factor_cell(texts, role)
         operator, operand = meaning("operators", texts.get("operator", "")), factor(cell, decimal)
         if operator and operand is not None:
@@ -193,11 +187,24 @@ def factor_cell(texts: Mapping[str, str], role: str) -> str:
     return bare if bare and aside and known_unit(aside) == "" else texts.get(role, "")
 
 
-def open_factor(texts: Mapping[str, str], role: str, decimal: str) -> Fraction | None:
+def open_factor(texts: Mapping[str, str], decimal: str) -> Fraction | None:
     """The factor of a row whose cell does not say whether it multiplies or divides; None if it says so, or has none."""
+    role = next((role for role in FACTORS if texts.get(role)), "")
+    if not role or joint_factor(texts, decimal):
+        return None
     text = factor_cell(texts, role)
     is_stated = states_direction(text) or meaning("operators", texts.get("operator", ""))
     return None if is_stated else factor(text, decimal)
+
+
+def joint_factor(texts: Mapping[str, str], decimal: str) -> tuple[Fraction, str] | None:
+    """The scale of a row with a multiplier and a divisor that differ, and their cells; one alone may be the scale in
+    both ways: `0.1` and `10`."""
+    role = "scale" if "scale" in texts else "gain"
+    multiplier, divisor = factor(texts.get(role, ""), decimal), factor(texts.get("divisor", ""), decimal)
+    if multiplier is None or divisor is None or multiplier * divisor == 1:
+        return None
+    return multiplier / divisor, f"{texts[role]} and {texts['divisor']}"
 
 
 def example(text: str, decimal: str) -> Quantity | None:
@@ -241,6 +248,8 @@ def _described(text: str, decimal: str) -> Quantity | None:
     after_word = _UNIT.fullmatch(text.strip())
     if after_word and (unit := known_unit(after_word[1])):
         return Quantity(unit=unit)
+    if own_scale := _SCALE_BEHIND.search(text):
+        return Quantity(Fraction(own_scale[1].replace(",", ".")))
     if (fraction := _FRACTION.search(text)) and (unit := known_unit(fraction[2].strip(".,;)"))):
         return Quantity(Fraction(1, 10 if fraction[1] else 100), unit if unit != "°" else "")
     scaled_pieces = [unit_cell(piece, decimal) for piece in pieces] if len(pieces) > 1 else []
@@ -324,7 +333,7 @@ def _between_bounds(texts: Mapping[str, str], decimal: str) -> Quantity | None:
 def _unit_of_texts(texts: Mapping[str, str], names: Sequence[str], decimal: str) -> Quantity | None:
     """The unit in brackets after a name, or after a range, where the list has no cell for it: `Speed [rpm]`."""
     for name in names:
-        aside = parted(name)[1]
+        aside = parted(name)[1] or next(filter(known_unit, map(str.strip, name.split(",")[1:])), "")
         quantity = unit_cell(aside, decimal) if aside else None
         is_shouted = aside.isupper() and len(aside) > 1 and quantity is not None and quantity.unit.islower()
         if (

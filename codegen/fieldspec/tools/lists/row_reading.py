@@ -11,12 +11,13 @@ from fieldspec.foundation.classes import dataclass, field, replace
 from fieldspec.language.model.fact import Citation
 from fieldspec.tools.lists import cells
 from fieldspec.tools.lists.brackets import parted
-from fieldspec.tools.lists.cells import COMMA, POINT, access, answer, bounds, functions, number, number_in_unit, whole
+from fieldspec.tools.lists.cells import COMMA, POINT, access, answer, bounds, functions, number, whole
 from fieldspec.tools.lists.item import MESSAGES
 from fieldspec.tools.lists.orders import joined_order, stated_order
 from fieldspec.tools.lists.quantities import known_unit, scaled_unit, unit_cell
 from fieldspec.tools.lists.remarks import special_states, spoken_access
-from fieldspec.tools.lists.row_quantity import FACTORS, described_range, example, named_places, open_factor, quantity_of
+from fieldspec.tools.lists.row_bounds import default_of, row_bounds
+from fieldspec.tools.lists.row_quantity import FACTORS, example, named_places, open_factor, quantity_of
 from fieldspec.tools.lists.type_words import Loose, Typed, described_order, typed
 from fieldspec.tools.lists.value_texts import Meanings, bit_names, mask_bits, value_meanings
 from fieldspec.tools.lists.words import folded, meaning
@@ -31,6 +32,8 @@ _SIGNLESS = ("word", "dword", "uint", "byte", "short", "long", "int", "int16", "
 """The types beside which another column may say that they have a sign, or none."""
 
 _BIT = re.compile(r"bit\s*([0-9]{1,2})", re.IGNORECASE)
+_DIGIT = re.compile("[0-9]")
+_LENGTH_UNIT = re.compile(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg|ワード|バイト)\.?$", re.IGNORECASE)
 _VALUE_WORD = re.compile(r"^values?\s+(?=[-0-9])", re.IGNORECASE)
 _HIGHEST_COUNT = 0xFFFFFFFF
 _WORD_BITS = 16
@@ -150,7 +153,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
     own_type = _type(texts, described, doubts)
     if own_type is not None and own_type.factor and not row.has_factors:
         texts = {**texts, "scale": own_type.factor}
-    low, high, meanings = _bounds(texts, described, decimal, doubts)
+    low, high, meanings = row_bounds(texts, described, decimal, doubts)
     meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
     quantity = quantity_of(texts, row.names, row.notes, decimal, row.has_factors, doubts)
     count = whole(texts.get("count", "")) or 1
@@ -164,7 +167,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         access=_access(texts, described, doubts),
         low=low,
         high=high,
-        default=_default(texts.get("default", ""), meanings, decimal),
+        default=default_of(texts, meanings, decimal),
         const=number(texts.get("const", ""), decimal),
         count=count if 1 <= count <= _HIGHEST_COUNT else 1,
         stride=max(whole(texts.get("stride", "")) or 0, 0),
@@ -172,27 +175,18 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         space=_space(texts, doubts),
         bits=_bits_of_mask(texts, doubts) if "mask" in texts else bits(texts.get("bit", _bit_of_type(own_type))),
         scale=quantity.scale,
-        factor=quantity.times or next((open_factor(texts, role, decimal) for role in FACTORS if texts.get(role)), None),
+        factor=quantity.times or open_factor(texts, decimal),
         is_times=quantity.times is not None,
         scaled_by=quantity.evidence,
         offset=quantity.offset,
         unit=quantity.unit,
         order=_order(texts, own_type, default_order, doubts, [*row.names, *described, texts.get("type", "")]),
         meanings=meanings,
-        length=whole(
-            re.sub(r"(?<=[0-9])\s*(words?|bytes?|bits?|registers?|reg)\.?$", "", texts.get("words", ""), flags=re.I)
-        ),
+        length=whole(_LENGTH_UNIT.sub("", texts.get("words", ""))),
         special=special_states(texts, own_type, doubts),
         described=tuple(described),
         doubts=(*doubts, *(f"{heading} in the list: {text}." for heading, text in row.notes)),
     )
-
-
-def _default(text: str, meanings: Meanings, decimal: str) -> Decimal | None:
-    """The number of a default; that of a value where the default is its text: `Auto`, or `19200` of a rate."""
-    number_text = number_in_unit(text, decimal)
-    members = [number for number, name in meanings.members if text and folded(name) == folded(text)]
-    return Decimal(members[0]) if members and number_text not in dict(meanings.members) else number_text
 
 
 def _rerouted(texts: Mapping[str, str], doubts: list[str]) -> Mapping[str, str]:
@@ -230,8 +224,13 @@ def _type(texts: Mapping[str, str], described: Sequence[str], doubts: list[str])
         asides = (parted(texts.get(role, ""))[1] for role in roles)
         type_texts = ["" if known_unit(unit) else unit, *asides, *described]
         words_of_types = [word for side in type_texts if (word := typed(side)) is not None and not word.aside]
-        pieces = (piece for text in described for piece in re.split(r"[,;]", text) if meaning("loose_types", piece))
-        signs = (word for piece in pieces if (word := typed(piece)) is not None and word.kind is Loose.WHOLE)
+        pieces = [piece for text in described for piece in re.split(r"[,;]", text)]
+        signs = (
+            word
+            for piece in pieces
+            if (word := typed(piece)) is not None
+            and (word.kind is Loose.WHOLE if meaning("loose_types", piece) else word.name and _DIGIT.search(piece))
+        )
         own_type = next(iter((*words_of_types, *signs)), None)
     signed_text = texts.get("signed", "")
     if not signed_text:
@@ -259,6 +258,7 @@ def _access(texts: Mapping[str, str], described: Sequence[str], doubts: list[str
     codes = functions(text) if text and not stated else None
     codes = functions(texts["function"]) if "function" in texts else codes
     by_code = ("rw" if codes.reads else "wo") if codes is not None and codes.writes else ""
+    by_code = by_code or ("ro" if codes is not None and "function" not in texts else "")
     if text and not stated and codes is None:
         doubts.append(f"Access in the list: {text}.")
     if texts.get("readable") and not stated:
@@ -315,31 +315,6 @@ def bits(text: str, highest: int = _LAST_BIT) -> tuple[int, int] | None:
     if not numbers or len(numbers) > 2 or max(numbers) > highest:
         return None
     return min(numbers), max(numbers)
-
-
-def _bounds(
-    texts: Mapping[str, str], described: Sequence[str], decimal: str, doubts: list[str]
-) -> tuple[Decimal | None, Decimal | None, Meanings | None]:
-    """The least and the greatest number, or the meanings that a list has in their place."""
-    low, high = (number_in_unit(texts.get(role, ""), decimal) for role in ("min", "max"))
-    if low == high == 0:
-        low = high = None  # programs write 0 for both where there are none
-    values = texts.get("values", "")
-    text = texts.get("range", "") or (values if bounds(values, decimal) is not None else "")
-    if not text and (low, high) == (None, None):
-        text = next((text for text in described if described_range(text, decimal)), "")
-    bare, aside = parted(text)
-    in_brackets = value_meanings(aside) if aside and bounds(bare, decimal) is not None else None
-    range_ends = bounds(bare if in_brackets else text, decimal)
-    if range_ends is not None:
-        if (low, high) != (None, None) and (low, high) != range_ends:
-            doubts.append(f"Range in the list: {text}.")
-            return low, high, in_brackets
-        return *range_ends, in_brackets
-    meanings = value_meanings(text) if text else None
-    if text and meanings is None:
-        doubts.append(f"Range in the list: {text}.")
-    return low, high, meanings
 
 
 def _meanings(texts: Mapping[str, str], of_range: Meanings | None, doubts: list[str]) -> Meanings:

@@ -7,37 +7,24 @@ from collections.abc import Iterator, Sequence, Set
 
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists import cells
-from fieldspec.tools.lists.addresses import TABLES
+from fieldspec.tools.lists.addresses import HEXADECIMAL, TABLES
 from fieldspec.tools.lists.assumption import Assumption
 from fieldspec.tools.lists.brackets import parted, without_brackets
 from fieldspec.tools.lists.cells import functions
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.sheet import Sheet
 from fieldspec.tools.lists.type_words import described_order
-from fieldspec.tools.lists.words import folded
+from fieldspec.tools.lists.words import alternatives, folded, pattern
 
 _FUNCTION = re.compile(
-    r"\b(?:function(?: code)?|fc|функция|funktion|función|fonction|funzione) ?((?:0x)?0?[1-6])\b", re.IGNORECASE
+    rf"\b{alternatives('function')} ?((?:0x)?[0-9]{{1,2}}(?:\s*[,/&]\s*(?:0x)?[0-9]{{1,2}})*)\b", re.IGNORECASE
 )
-_LOW_WORD = re.compile(
-    r"\blow(?:er)?(?:[ -]order)?[ -](?:word|reg)|least[ -]significant[ -](?:word|reg)|\bLSW\b|little[ -]?endian"
-    r"|(?:word|register)s?[ _-]?swap|swapped|niederwert|poids faible|meno?s? significativ|parola bassa|下位|低字|低位字"
-    r"|młodsz",
-    re.IGNORECASE,
-)
-"""Words of texts that may say that the low word is first."""
-
-_NUMBERING = re.compile(
-    r"\b(?:minus|less|subtract(?:ing)?|(?:reduced?|decremented?|lowered|offset) (?:by|of)|moins|menos|meno) "
-    r"(?:1|one|un[oe]?|um)\b|\b(?:one|zero|1|0)[ -]?based|\b(?:start|begin|count)\w* (?:at|from|with) "
-    r"(?:0|1|zero|one)\b|\b(?:1|eins) (?:abzieh|abzuzieh|subtrah|weniger|kleiner)|[a-z] ?[-\u2013] ?1\b|[减減] ?[1一]",
-    re.IGNORECASE,
-)
-_OF_ADDRESSES = re.compile(r"regist|addres|adress|direcci|indirizz|endere|地址|寄存器|アドレス", re.IGNORECASE)
 _SCALED = re.compile(
-    r"(?:\b1/10+|\b0[.,]0{0,3}1) ?(?:°|%|[a-z]{1,3}\b)|[x\u00d7*÷/] ?10+(?![0-9])|\btenths? of|\bzehntel", re.IGNORECASE
+    r"(?:\b1/10+|\b0[.,]0{0,3}1) ?(?:°|%|[a-z]{1,3}\b)|[x\u00d7*÷/] ?10+(?![0-9])|\b" + alternatives("tenth"),
+    re.IGNORECASE,
 )
 _LONGEST_QUOTE = 100
+_FEWEST_BITS, _LAST_BIT = 2, 16
 _PHRASE = 8
 """The fewest letters of an access in a title: `read only`, and not `input`."""
 
@@ -51,6 +38,20 @@ def with_spaces(rows: list[ListRow], sheet: Sheet, assumptions: list[Assumption]
     return _by_functions(_beneath_titles(_with_numbered_spaces(rows, assumptions), sheet, assumptions))
 
 
+def with_bits_from_zero(rows: list[ListRow], assumptions: list[Assumption]) -> list[ListRow]:
+    """The rows of a list with single bits of words, counted from 0: bit 16 beside no bit 0 shows that a list counts
+    from 1, and where no bit is 0, it may."""
+    bits = [row.bits[0] for row in rows if row.bits is not None and row.bits[0] == row.bits[1]]
+    if len(bits) < _FEWEST_BITS or min(bits) != 1:
+        return rows
+    if max(bits) != _LAST_BIT:
+        if bits.count(1) > 1 or bits[:2] == [1, 2]:
+            assumptions.append(Assumption("bits", "those that are written", "none is 0; they may count from 1"))
+        return rows
+    assumptions.append(Assumption("bits", "counted from 1", "a bit 16 and no bit 0"))
+    return [replace(row, bits=(row.bits[0] - 1, row.bits[1] - 1)) if row.bits else row for row in rows]
+
+
 def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) -> str:
     """The order of words that a text beside the rows of a list states for all of them; empty where none does."""
     texts = [*_texts_beside(sheet, used), *sheet.orders]
@@ -59,7 +60,7 @@ def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) ->
         ((order, text),) = orders.items()
         assumptions.append(Assumption("order of words", order, f"`{text}`", "--order"))
         return order
-    if doubtful := next(filter(_LOW_WORD.search, texts), ""):
+    if doubtful := next(filter(pattern("low_word").search, texts), ""):
         evidence = f"`{doubtful[:_LONGEST_QUOTE]}` is not understood"
         assumptions.append(Assumption("order of words", "ABCD, the high word first", evidence, "--order"))
     return "ABCD" if doubtful else ""
@@ -67,12 +68,24 @@ def titled_order(sheet: Sheet, used: Set[int], assumptions: list[Assumption]) ->
 
 def unread_texts(sheet: Sheet, used: Set[int], has_factors: bool) -> Iterator[Assumption]:
     """The assumptions about texts beside the rows of a list that say how its addresses count, or which scales hold."""
-    texts = (text for text in _texts_beside(sheet, used) if _OF_ADDRESSES.search(text) and _NUMBERING.search(text))
-    if text := next(texts, ""):
+    of_addresses = filter(pattern("of_addresses").search, _texts_beside(sheet, used))
+    if text := next(filter(pattern("numbering").search, of_addresses), ""):
         evidence = f"`{text[:_LONGEST_QUOTE]}` may say that they count otherwise"
         yield Assumption("addresses", "those that are written", evidence, "--offset")
+    elif text := next(filter(pattern("restarting").search, titles(sheet).values()), ""):
+        yield Assumption("addresses", "those that are written", f"`{text[:_LONGEST_QUOTE]}` is not used", "--offset")
     if not has_factors and (text := next(filter(_SCALED.search, titles(sheet).values()), "")):
         yield Assumption("scales", "as each row has them", f"`{text[:_LONGEST_QUOTE]}` is not used")
+
+
+def said_base(sheet: Sheet, assumptions: list[Assumption]) -> str:
+    """The base that a text of its own says all addresses to have; empty where none does."""
+    texts = filter(pattern("of_addresses").search, titles(sheet).values())
+    said = next((text for text in texts if pattern("in_hexadecimal").search(text)), "")
+    if not said or pattern("decimal").search(pattern("in_hexadecimal").sub("", said)):
+        return ""
+    assumptions.append(Assumption("addresses", "hexadecimal", f"`{said[:_LONGEST_QUOTE]}`", "--base decimal"))
+    return HEXADECIMAL
 
 
 def _texts_beside(sheet: Sheet, used: Set[int]) -> Iterator[str]:
@@ -94,6 +107,8 @@ def _beneath_titles(rows: Sequence[ListRow], sheet: Sheet, assumptions: list[Ass
         own_level = len(text) - len(text.lstrip("#"))
         if space := _titled_space(text):
             headed[number], level = (space, text, _titled_access(text)), own_level
+        elif access := cells.access(text.strip("#*_: ")) if len(text) >= _PHRASE else "":
+            headed[number], level = ("", text, access), own_level
         elif 0 < own_level <= level:
             headed[number], level = ("", "", ""), 0
     result = []
@@ -130,11 +145,15 @@ def _titled_space(text: str) -> str:
     code = _FUNCTION.search(text) if is_title else None
     if (read := functions(code[1]) if code else None) is not None:
         return read.space
-    return cells.space(text) or cells.space(aside) or cells.space(beginning) if is_long else ""
+    pieces = [piece for piece in re.split(r" [-\u2013] |[,;:]", aside) if len(folded(piece)) >= _SHORTEST_TITLE]
+    return next(filter(None, map(cells.space, (text, aside, beginning, *pieces))), "") if is_long else ""
 
 
 def _titled_access(text: str) -> str:
     """The access that a title says between other words: `(read/write)`, `- Read-Only Sensor Data`."""
+    code = _FUNCTION.search(text)
+    if (codes := functions(code[1]) if code else None) is not None and codes.reads and codes.writes:
+        return "rw"
     pieces = [piece.strip(" #*_") for piece in re.split(r"[()\[\],:\u2013]| - ", text)]
     phrases = [piece for piece in (*pieces, *(piece.partition(" ")[0] for piece in pieces)) if len(piece) >= _PHRASE]
     return next(filter(None, map(cells.access, phrases)), "")

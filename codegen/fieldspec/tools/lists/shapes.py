@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import re
+
 from fieldspec.foundation.classes import dataclass, replace
 from fieldspec.language.model.primitives import PRIMITIVES
 from fieldspec.tools.lists.row_reading import ListRow
 from fieldspec.tools.lists.type_words import UNSIGNED, Loose
 
 BIT = "bit"
+
+_NUMBERS = re.compile(
+    r"(.*[^\W\d_])[\s_#(\[]*(?<![0-9.])([0-9]{1,2})\s*(?:\.\.+|-|\u2013|~|…|\bto\b|\bbis\b)\s*([0-9]{1,2})[)\]]?",
+    re.IGNORECASE,
+)
+"""A name with the first and the last number of its values."""
 
 _MOST_WORDS = 4
 """The most words of a number."""
@@ -38,6 +46,7 @@ def shape(row: ListRow, in_bits: bool) -> Shape:
         is_bit = own_type is None or own_type.kind is Loose.TRUTH or own_type.size <= 1
         return Shape(BIT, 1, row.count, () if is_bit else (f"The list says {type_text}, and the space is of bits.",))
     name = own_type.of_words(row.words) if own_type is not None else ""
+    name = "bool16" if name == BIT else name
     if not name:
         name = UNSIGNED.get(row.words or 1, "bytes")
         if row.low is not None and row.low < 0 and name != "bytes":
@@ -67,9 +76,30 @@ def with_elements(row: ListRow, in_bits: bool) -> ListRow:
     length = row.type.length if row.type is not None else 0
     if in_bits and (row.words or 1) > 1:
         return replace(row, words=None, count=max(row.count, row.words or 1))
-    if size and length > 1 and row.count == 1 and row.words in (None, length * size):
-        return replace(row, words=size, count=length)
-    return row
+    if not (size and length > 1 and row.count == 1 and row.words in (None, length * size)):
+        return _with_numbers_of_names(row, in_bits)
+    if row.gap < length * size and (row.gap or "(" in row.texts.get("type", "")):
+        further = f"and the next address is {row.gap} after" if row.gap else "which may be a count"
+        doubt = f"The list says {row.texts.get('type')}, {further}."
+        return replace(row, type=replace(row.type, length=0) if row.type else None, doubts=(*row.doubts, doubt))
+    return replace(row, words=size, count=length)
+
+
+def _with_numbers_of_names(row: ListRow, in_bits: bool) -> ListRow:
+    """A row whose name has the numbers of several values, as `Temperature 1..8`: a count where they reach up to the
+    next address, else a doubt."""
+    span = _NUMBERS.fullmatch(row.names[0]) if row.names else None
+    if span is None or row.bits is not None or row.count > 1:
+        return row
+    first, last = int(span[2]), int(span[3])
+    size = shape(row, in_bits).words
+    if last > first and row.gap == (last - first + 1) * size:
+        texts = {**row.texts, "first": str(first)}
+        return replace(row, count=last - first + 1, names=(span[1], *row.names[1:]), texts=texts)
+    if last <= first or row.words == last - first + 1:
+        return row
+    doubt = f"The name has the numbers {first} to {last}, and the list has one value."
+    return replace(row, doubts=(*row.doubts, doubt))
 
 
 def _of_length(name: str, words: int) -> str:

@@ -45,7 +45,8 @@ class Sheet:
     `name` is that of one of several sheets, else empty. `lines` is the number of rows in the file. `others` are the
     names of further sheets with cells, `joined` the names of the sheets that form this sheet, `encoding` that of a text
     where it was guessed, `refused` the rows that cannot be used, with the reasons, `heads` the rows that the file
-    marks as headings. `format` is that of another program, empty for a table, `beside` the contents of the
+    marks as headings, `comments` the comments of cells by row, each with the cell, `hidden` the rows and columns that a
+    workbook does not show. `format` is that of another program, empty for a table, `beside` the contents of the
     file that are not part of the list, `orders` its settings of orders of bytes and words.
     """
 
@@ -58,6 +59,8 @@ class Sheet:
     encoding: str = ""
     refused: Mapping[int, str] = field(default_factory=dict)
     heads: frozenset[int] = frozenset()
+    comments: Mapping[int, tuple[tuple[str, str], ...]] = field(default_factory=dict)
+    hidden: tuple[str, ...] = ()
     format: str = ""
     beside: tuple[str, ...] = ()
     orders: tuple[str, ...] = ()

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import pairwise
 
 from fieldspec.foundation.classes import replace
-from fieldspec.tools.lists.addresses import address_text
+from fieldspec.tools.lists.addresses import HEXADECIMAL, address_text, base_of_heading
 from fieldspec.tools.lists.column_contents import is_place
 from fieldspec.tools.lists.column_roles import (
     LOOKED_AT,
@@ -21,6 +22,7 @@ from fieldspec.tools.lists.column_roles import (
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
 from fieldspec.tools.lists.words import folded, meaning, whole_words
 
+_BARE = re.compile("[0-9A-Fa-f]{1,8}")
 _HEADED_BY = 40
 """The number of rows among which the heading is searched."""
 
@@ -141,7 +143,8 @@ def _marked_tables(sheet: Sheet, names: Mapping[str, str]) -> Columns | None:
 
 def _rank(table: Columns) -> int:
     """How clearly a table is one of registers: 0 for a column of numbers with names alone."""
-    is_clear = address_rank(table.heading("address")) >= _CLEAR
+    headings = [table.heading("address"), *map(table.heading_at, table.more.get("address", ()))]
+    is_clear = max(map(address_rank, headings)) >= _CLEAR
     return _CLEAR if is_clear else int(table.headed > _NUMBERS_AND_NAMES)
 
 
@@ -172,6 +175,7 @@ def _with_further_tables(first: Columns) -> Columns:
 
 def joined_columns(first: Columns, further: Columns) -> Columns:
     """Two tables as one: columns of a role that both have are one, and others follow the columns of the first table."""
+    first, further = _with_marks(first, further), _with_marks(further, first)
     headings = [*first.headings]
     places, further_columns = dict(first.places), dict(first.more)
     targets: dict[int, int] = {}
@@ -197,6 +201,20 @@ def joined_columns(first: Columns, further: Columns) -> Columns:
         rows.append(SheetRow(row.number, tuple(cells)))
     by_cells = tuple(dict.fromkeys((*first.by_cells, *further.by_cells)))
     return Columns(places, tuple(headings), tuple(rows), further_columns, by_cells)
+
+
+def _with_marks(table: Columns, other: Columns) -> Columns:
+    """A table with marks of hexadecimal addresses, where its heading says that, and that of another one does not."""
+    place, heading = table.places["address"], other.heading("address")
+    if base_of_heading(table.heading("address")) != HEXADECIMAL or base_of_heading(heading) == HEXADECIMAL:
+        return table
+    rows = []
+    for row in table.rows:
+        text = row.cell(place)
+        marked = f"0x{text}" if _BARE.fullmatch(text) else text
+        rows.append(SheetRow(row.number, (*row.cells[:place], marked, *row.cells[place + 1 :])))
+    headings = (*table.headings[:place], heading, *table.headings[place + 1 :])
+    return replace(table, rows=tuple(rows), headings=headings)
 
 
 def _further_headings(table: Columns) -> Iterator[tuple[int, tuple[str, str]]]:

@@ -12,7 +12,7 @@ from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import is_count, is_signed, is_truth
 from fieldspec.language.model.primitives import PRIMITIVES, Primitive
 from fieldspec.tools.lists.orders import joined_order
-from fieldspec.tools.lists.words import folded, meaning
+from fieldspec.tools.lists.words import folded, meaning, pattern
 
 _WORD_BITS = 16
 _LONGEST = 400
@@ -34,7 +34,8 @@ _ORDERED = re.compile(
     r"[\s_-]*(sw|swap|swapped|swappedwords|inverse|rev|r)"
 )
 _ORDER_WORD = re.compile(
-    r"[\s_(\[,-]+(abcd|cdab|dcba|badc|big[ -]?endian|little[ -]?endian|msw first|lsw first|be|le)[)\]]*$", re.IGNORECASE
+    r"[\s_(\[,-]+(abcd|cdab|dcba|badc|1234|2143|3412|4321|big[ -]?endian|little[ -]?endian|[ml]sw first|be|le)[)\]]*$",
+    re.IGNORECASE,
 )
 
 _STRUCT = re.compile(r"([<>!=@])([bBhHiIlLqQfd])")
@@ -42,15 +43,6 @@ _OF_STRUCT = {"b": "i8", "h": "i16", "i": "i32", "l": "i32", "q": "i64", "f": "f
 """The types of the letters that Python packs numbers by: `>H`. A capital letter has no sign."""
 
 _ARRAY = re.compile(r"\s+array$", re.IGNORECASE)
-_ORDER_PHRASE = re.compile(
-    r"\b(?:low|lower|low[ -]order|least[ -]significant|high|higher|upper|high[ -]order|most[ -]significant)[ -]?"
-    r"(?:word|reg(?:ister)?)s?[ -](?:first|zuerst)|\b[lm]s[wr] (?:first|zuerst)|\b(?:nieder|höher|hoch)wertiges "
-    r"(?:wort|register) zuerst|\bwords? swap(?:ped)?|\bswap(?:ped)? words?|\b(?:low|high) first\b"
-    r"|\bpalabra (?:alta|baja) primero|\bmot de poids (?:fort|faible) en premier|\bparola (?:alta|bassa) prima"
-    r"|[高低]位?字在前|[上下]位ワード先頭|\b(?:yüksek|düşük) word önce|\b(?:hoge|lage) woord eerst"
-    r"|\b(?:little|big)[ -]endian words?|\b[lb]e words?|\bCDAB\b|\bBADC\b|\bDCBA\b",
-    re.IGNORECASE,
-)
 _OF_WORDS = re.compile(r"word|[lm]sw", re.IGNORECASE)
 
 
@@ -163,7 +155,9 @@ def typed(text: str) -> Typed | None:
     if (scaled := _SCALED.fullmatch(text)) and (inner := typed(scaled[1])) and inner.name != "text":
         return replace(inner, factor=scaled[2])
     length = _LENGTH.search(text)
-    if length and (inner := typed(text[: length.start()])) and not inner.length:
+    inner = typed(text[: length.start()]) if length else None
+    is_bit = inner is not None and (inner.kind is Loose.TRUTH or inner.name == "bit")
+    if length and inner is not None and not inner.length and not (is_bit and length[3]):
         return replace(inner, length=int(next(filter(None, length.groups()))))
     bare, _, aside = re.sub("[(]", "[", text).partition("[")
     inner = typed(bare) if aside else None
@@ -187,7 +181,7 @@ def _order_and_rest(aside: str) -> tuple[str, str]:
 
 def described_order(text: str) -> str:
     """The order of two words that a text says: `low word first`; empty for none, and for an order of bytes."""
-    phrase = _ORDER_PHRASE.search(text)
+    phrase = pattern("word_first").search(text)
     return meaning("orders", phrase[0]) if phrase else ""
 
 

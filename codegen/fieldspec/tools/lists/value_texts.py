@@ -11,7 +11,7 @@ from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.lists.words import folded, whole_words
 
 _PART = re.compile(
-    r"(?:(?<=^)|(?<=[\s,;/|\n.)]))(?P<bit>bits?\s*#?|b)?(?P<number>0x[0-9a-f]{1,16}|-?[0-9]{1,20})h?"
+    r"(?:(?<=^)|(?<=[\s,;/|\n.)]))(?P<bit>bits?\s*#?|b)?(?P<number>0x[0-9a-f]{1,16}|[0-9][0-9a-f]{0,15}h(?![a-z])|-?[0-9]{1,20})"
     r"(?(bit)(?:\s*(?:\.\.+|-|~)\s*(?:bits?|b)?(?P<last>[0-9]{1,2}))?)"
     r"(?P<end>\s*(?:=|:|・|\.(?=\s?[^\W\d])|->|=>|→|\u2013|\u2014|\)|\s-(?=\s)|-(?=[a-z])|-(?=\s+[^\W_]))\s*|(?(bit)\s+(?=[^\W\d])|(?!)))",
     re.IGNORECASE,
@@ -23,15 +23,22 @@ _SIGNS = ("=", ":", "->", "→", "\u2013")
 _ENDS = (",", ";", "/", "|", "\n")
 """What stands after the name of a bit that only a blank parts from its number: `b0 ready, b1 warn`."""
 
-_BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}:[ \[(]*")
+_BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}[:.][ \[(]*")
 """What may stand before the first value: `Condition: 0 = off`."""
 
-_FURTHER = re.compile(r"[/;,|\n]\s*[0-9]{1,4}\s?[.:=)]\s?[^\W\d]")
-"""A further value in the text of one, with another sign after its number: `2: meter / 3.Dual-CT`."""
+_FURTHER = re.compile(
+    r"[/;,|\n]\s*(?:[0-9]{1,4}\s?[.:=)]\s?[^\W\d]|-?[0-9]+\s*(?:-|\u2013|~|\.\.+|…|to\b|bis\b)\s*[0-9]*\s*(?:[=:]|$)"
+    r"|-?[0-9]+\s*$|\.\.+|…)"
+)
+"""A further value in the text of one, with another sign after its number, or several values: `2: meter / 3.Dual-CT`,
+`1: on, 2..5: reserved`, `2: Feb, ...`."""
 
-_SIMPLE = re.compile(r"(0x[0-9a-f]{1,16}|-?[0-9]{1,20}|nan)\s+(\S.*)", re.IGNORECASE)
+_SIMPLE = re.compile(r"(0x[0-9a-f]{1,16}|-?[0-9]{1,20}|nan)\s+([^\s=:].*)", re.IGNORECASE)
 _SEPARATOR = re.compile(r"[;\n·•]|(?:\s[/|]|,)(?=\s*-?[0-9]+\s)")
 """What stands between values: `0 off; 1 on`, `0 off / 1 on`, `0 off · 1 on`."""
+
+_COUNTED = re.compile(r"\s+(?=[0-9]+\s+[^\W\d])")
+"""What stands between values that only blanks part: `0 off 1 on 2 auto`."""
 
 _BESIDE = re.compile(r"[,/·•|]\s*[0-9]+[\s(]")
 """A further value in the text of one that only a blank parts from its number: `off · 1 on`."""
@@ -82,12 +89,12 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
     if parts and _BEFORE.fullmatch(text[: parts[0].start()]):
         ends = [*(part.start() for part in parts[1:]), len(text)]
         raw_texts = [text[part.end() : end] for part, end in zip(parts, ends, strict=True)]
-        texts = [raw_text.strip(" ,;/|.]'\"") for raw_text in raw_texts]
+        texts = [re.sub(r"\s[-\u2013]$", "", raw_text.strip(" ,;/|.]'\"")) for raw_text in raw_texts]
         are_parted = parts[0]["end"].strip() or all(raw_text.rstrip(" ").endswith(_ENDS) for raw_text in raw_texts[:-1])
         are_ends = parts[0]["end"].strip() == "-" and not all(any(map(str.isalpha, name)) for name in texts)
         is_point = parts[0]["end"].strip() == "." and len(parts) == 1
         are_values = are_parted and not are_ends and not is_point
-        if all(texts) and are_values and not any(map(_FURTHER.search, texts)):
+        if all(texts) and are_values and not any(map(_FURTHER.search, raw_texts)):
             digits = [part["number"] for part in parts]
             are_binary = (
                 len(digits) >= _FEWEST_BINARY and all(map(_BINARY.fullmatch, digits)) and len({*map(len, digits)}) == 1
@@ -95,14 +102,18 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
             return _sorted(
                 [
                     (
-                        bool(part["bit"]),
-                        int(part["number"], 2) if are_binary else _number(part["number"]),
+                        bool(part["bit"]) and not (are_binary and part["bit"] in "bB"),
+                        int(part["number"], 2)
+                        if are_binary and (part["bit"] or "b") in "bB"
+                        else _number(part["number"]),
                         name,
                         int(part["last"] or 0),
                     )
                     for part, name in zip(parts, texts, strict=True)
                 ]
             )
+    if single and not _SEPARATOR.search(text) and len(pieces := _COUNTED.split(text)) > 1:
+        text = "; ".join(pieces)
     simple = [_SIMPLE.fullmatch(piece.strip()) for piece in _SEPARATOR.split(text) if piece.strip()]
     if simple and all(simple) and (single or len(simple) > 1 or text.rstrip().endswith(";")):
         pairs = [(_number(piece[1]), piece[2].strip()) for piece in simple if piece and piece[1].lower() != "nan"]
@@ -150,7 +161,8 @@ def _of_json(text: str) -> Meanings | None:
 
 
 def _number(digits: str) -> int:
-    return int(digits, 0 if "x" in digits.lower() else 10)
+    digits = digits.casefold()
+    return int(digits.removesuffix("h"), 16) if digits.endswith("h") else int(digits, 0 if "x" in digits else 10)
 
 
 def _sorted(pairs: list[tuple[bool, int, str, int]]) -> Meanings | None:

@@ -1,6 +1,7 @@
-"""The words of lists, from `words.json`: headings by role, accesses, types, spaces, answers, orders of bytes, units.
+"""The words of lists, from `words.json`: headings by role, accesses, types, spaces, answers, orders of bytes, units,
+and patterns of texts.
 
-All of them are folded. A heading that begins with `*` is a part of one; a role lists its likeliest heading first.
+All but the patterns are folded. A heading that begins with `*` is a part of one; a role lists its likeliest first.
 """
 
 from __future__ import annotations
@@ -39,6 +40,17 @@ def folded(text: str) -> str:
 def meaning(table: str, text: str) -> str:
     """The meaning of a text in a table; empty if it is not there."""
     return meanings(table).get(folded(text) or text.strip(), "")
+
+
+def alternatives(name: str) -> str:
+    """The part of a pattern that has what texts of all languages write for something."""
+    return f"(?:{'|'.join(words('patterns')[name])})"
+
+
+@cache
+def pattern(name: str) -> re.Pattern[str]:
+    """The pattern of what texts of all languages write for something."""
+    return re.compile(alternatives(name), re.IGNORECASE)
 
 
 @cache

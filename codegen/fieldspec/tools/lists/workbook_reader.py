@@ -13,12 +13,13 @@ from fieldspec.foundation.spreadsheet import clean
 from fieldspec.tools.lists.addresses import address_text
 from fieldspec.tools.lists.cells import space
 from fieldspec.tools.lists.column_roles import Columns
-from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow
+from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import headed_columns, joined_columns
 from fieldspec.tools.lists.workbook_size import used_area
 
 if TYPE_CHECKING:
     from openpyxl.cell.cell import Cell, MergedCell
+    from openpyxl.comments import Comment
     from openpyxl.worksheet.worksheet import Worksheet
 
 MAGIC = b"PK\x03\x04"
@@ -46,7 +47,14 @@ def workbook_sheet(content: bytes, sheet_name: str = "") -> Sheet:
     tables = {number: headed_columns(read[number]) for number in visible}
     role_counts = {number: table.headed if table else 0 for number, table in tables.items()}
     best = max(visible, key=lambda number: (role_counts[number], len(read[number].rows), -number))
+    titled = {number: table for number, table in tables.items() if table and space(read[number].name)}
+    of_spaces = [
+        number
+        for number, table in titled.items()
+        if table.headed > 1 and table.places.keys().isdisjoint(("space", "function"))
+    ]
     alike = [number for number, table in tables.items() if table and _are_alike(table, tables[best])]
+    alike = of_spaces if best in of_spaces and len(of_spaces) > len(alike) else alike
     parts = {number: _filled(content, read[number], number, area) for number in alike} if len(alike) > 1 else {}
     filled = {number: table for number, sheet in parts.items() if (table := headed_columns(sheet)) is not None}
     if len(filled) > 1 and not any(sheet.formulas for sheet in parts.values()) and _are_disjoint(parts, filled):
@@ -91,6 +99,8 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
     parts: list[Columns] = []
     spaces: dict[int, str] = {}
     refused: dict[int, str] = {}
+    comments: dict[int, tuple[tuple[str, str], ...]] = {}
+    hidden: list[str] = []
     before = 0
     for number, table in tables.items():
         sheet = sheets[number]
@@ -99,6 +109,8 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
         parts.append(replace(table, rows=tuple(SheetRow(before + row.number, row.cells) for row in table.rows)))
         spaces |= dict.fromkeys((row.number for row in parts[-1].rows), space(sheet.name))
         refused |= {before + number: reason for number, reason in sheet.refused.items()}
+        comments |= {before + number: texts for number, texts in sheet.comments.items()}
+        hidden += [f"{place} of {sheet.name}" for place in sheet.hidden]
         before += sheet.lines
     joined = reduce(joined_columns, parts)
     heading = SheetRow(max(joined.rows[0].number - 1, 1), (*joined.headings, "space"))
@@ -107,7 +119,8 @@ def _joined(sheets: Mapping[int, Sheet], tables: Mapping[int, Columns]) -> Sheet
         for row in joined.rows
     ]
     ordered = sorted([*above, heading, *rows], key=lambda row: row.number)
-    return Sheet(tuple(ordered), before, joined=tuple(sheets[number].name for number in tables), refused=refused)
+    names = tuple(sheets[number].name for number in tables)
+    return Sheet(tuple(ordered), before, joined=names, refused=refused, comments=comments, hidden=tuple(hidden))
 
 
 def _worksheets(content: bytes, formulas: bool) -> list[Worksheet]:
@@ -127,6 +140,7 @@ def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
     rows = []
     formulas = set()
     refused = {}
+    comments = {}
     lines = sheet.iter_rows(max_row=last_row, max_col=last_column) if last_row and last_column else ()
     for number, row in enumerate(lines, 1):
         cells = []
@@ -134,11 +148,32 @@ def _sheet(sheet: Worksheet, area: tuple[int, int]) -> Sheet:
             if cell.data_type == "f":
                 formulas.add((number, column))
             cells.append(_cell_in_format(cell) or merged.get((number, column), ""))
+        if texts := tuple((cell.coordinate, _comment_text(cell.comment)) for cell in row if cell.comment):
+            comments[number] = texts
         if any(cells):
             rows.append(SheetRow(number, tuple(cells)))
             if all(cell.font.strike for cell in row if cell.value is not None):
                 refused[number] = "is struck out"
-    return Sheet(tuple(rows), max(last_row, 1), str(sheet.title), frozenset(formulas), refused=refused)
+    numbers = {row.number for row in rows}
+    hidden = [f"row {number}" for number, row in sheet.row_dimensions.items() if row.hidden and number in numbers]
+    for dimension in sheet.column_dimensions.values():
+        span = range(dimension.min or 0, min(dimension.max or 0, last_column) + 1) if dimension.hidden else ()
+        hidden += [f"column {letters(column)}" for column in span if any(row.cell(column - 1) for row in rows)]
+    return Sheet(
+        tuple(rows),
+        max(last_row, 1),
+        str(sheet.title),
+        frozenset(formulas),
+        refused=refused,
+        comments=comments,
+        hidden=tuple(hidden),
+    )
+
+
+def _comment_text(comment: Comment) -> str:
+    """The text of a comment, without its author and what Excel says above one of a thread."""
+    _, _, threaded = comment.text.partition("\nComment:\n")
+    return clean((threaded or comment.text).strip().removeprefix(f"{comment.author}:").strip())
 
 
 def _merged_texts(sheet: Worksheet) -> dict[tuple[int, int], str]:

@@ -69,11 +69,13 @@ def definition(node: Node, lines: int) -> tuple[Sheet, Listing]:
         Assumption("order of words", "the first register has the lowest word", "what reads these files has it so")
     )
     requests = list(_requests(node))
+    default = node.values.get("default")
+    usual = default.values.get("code") if isinstance(default, Mapping) else None
     for group in items(node.values.get("parameters")):
         inner = group.values.get("items") if isinstance(group, Mapping) else None
         for item in items(inner):
             if isinstance(item, Mapping):
-                rows.take(line_of(item), cells_of(item), partial(_row, item, requests))
+                rows.take(line_of(item), cells_of(item), partial(_row, item, requests, usual))
             else:
                 rows.refuse(line_of(item), {"name": text_of(item)}, "is not an item")
     return rows.listing(lines)
@@ -90,8 +92,8 @@ def _requests(node: Mapping) -> Iterator[_Request]:
                 yield _Request(first, last, read.space)
 
 
-def _row(item: Mapping, requests: list[_Request]) -> ListRow:
-    """The row of an item. Raises CellError."""
+def _row(item: Mapping, requests: list[_Request], usual: Node | None) -> ListRow:
+    """The row of an item, read by the `usual` code where it has none. Raises CellError."""
     values = item.values
     registers = numbers_of(values.get("registers"))
     if "registers" not in values or not registers:
@@ -106,7 +108,7 @@ def _row(item: Mapping, requests: list[_Request]) -> ListRow:
     meanings = _lookup(values.get("lookup"), rule == _BIT_FIELD, doubts)
     unit = text_of(values.get("uom"))
     texts |= {"unit": unit} if unit else {}
-    space, access = _space(values.get("code"), min(registers), requests)
+    space, access = _space(values.get("code", usual), min(registers), requests)
     return ListRow(
         0,
         min(registers),
