@@ -204,6 +204,13 @@ def test_one_signal_refuses_no_others(database: str, taken: str, reason: str, ru
     assert taken in str(fields) + str(newest(run.folder, "drive").device.flags)
 
 
+def test_names_of_numbers_of_a_quantity_are_noted(run: CommandLine) -> None:
+    signals = ' SG_ C : 0|4@1+ (1,0) [0|0] "" D\n SG_ E : 4|4@1+ (0.5,0) [0|0] "V" D\n'
+    report = import_text(run, f'VERSION ""\nBU_: B D\n\nBO_ 1 A: 1 B\n{signals}VAL_ 1 E 15 "SNA" ;\n')
+    assert "rows: 3 of 3 used (100 %)" in report
+    assert "Values in the list: 15 SNA." in (run.folder / "drive" / "device.yaml").read_text("utf-8")
+
+
 def test_identifiers_of_more_than_11_bits_are_wide_without_their_mark(run: CommandLine) -> None:
     text = (
         'VERSION ""\nBU_: B D\n\nBO_ 441800714 A: 1 B\n SG_ C : 0|8@1+ (1,0) [0|0] "" D\nVAL_ 441800714 C 0 "Off" ;\n'
