@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
@@ -159,6 +159,9 @@ def _add(rows: FormatRows, message: Any, node: str, lines: dict[tuple[int, str],
     cells = _message_cells(message)
     try:
         direction = _direction(message, node)
+        size = message.length * 8
+        if message.signals and all(max(_bits(signal)) >= size for signal in message.signals):
+            raise CellError(f"contradicts itself: no signal fits into its {size} bits")
     except CellError as error:
         reason = str(error)
     else:
@@ -169,14 +172,14 @@ def _add(rows: FormatRows, message: Any, node: str, lines: dict[tuple[int, str],
         rows.add(line, cells, row)
     if reason:
         rows.refuse(line, cells, reason)
-    taken: dict[int, str] = {}
+    used_bits: dict[int, str] = {}
     for signal in message.signals:
         own_line = lines.get((identifier, signal.name), line)
         signal_cells = {"Identifier": cells["Identifier"], **_signal_cells(signal)}
         if reason:
             rows.refuse(own_line, signal_cells, "belongs to a message that is not taken")
             continue
-        rows.take(own_line, signal_cells, partial(_row, identifier, signal, message.length * 8, taken))
+        rows.take(own_line, signal_cells, partial(_row, identifier, signal, message.length * 8, used_bits))
 
 
 def _direction(message: Any, node: str) -> str:
@@ -228,8 +231,8 @@ def _signal_cells(signal: Any) -> dict[str, str]:
     }
 
 
-def _row(identifier: int, signal: Any, size: int, taken: dict[int, str]) -> ListRow:
-    """The row of a signal in a message of some bits, of which others are `taken`. Raises CellError."""
+def _row(identifier: int, signal: Any, size: int, used_bits: dict[int, str]) -> ListRow:
+    """The row of a signal in a message of some bits, of which others are in `used_bits`. Raises CellError."""
     if signal.multiplexer_ids:
         values = ", ".join(map(str, signal.multiplexer_ids[:5]))
         selector = signal.multiplexer_signal
@@ -242,14 +245,12 @@ def _row(identifier: int, signal: Any, size: int, taken: dict[int, str]) -> List
     scale, offset, low, high = numbers
     if scale is None or scale <= 0 or offset is None:
         raise CellError(f"has the factor {signal.scale} and the offset {signal.offset}")
-    first, length = _first_bit(signal)
-    bits = range(first, first + length)
-    numbered = [bit // 8 * 8 + 7 - bit % 8 for bit in bits] if signal.byte_order == "big_endian" else bits
+    numbered = _bits(signal)
     if min(numbered) < 0 or max(numbered) >= size:
         raise CellError(f"does not fit into the {size} bits of its message")
-    if other := next((taken[bit] for bit in numbered if bit in taken), ""):
+    if other := next((used_bits[bit] for bit in numbered if bit in used_bits), ""):
         raise CellError(f"overlaps {other}, which is taken")
-    taken |= dict.fromkeys(numbered, signal.name)
+    used_bits |= dict.fromkeys(numbered, signal.name)
     name = _REALS[signal.length] if signal.is_float else "i64" if signal.is_signed else "u64"
     members = tuple((int(number), str(text)) for number, text in (signal.choices or {}).items())
     bounds = {"min": signal.minimum, "max": signal.maximum}
@@ -269,8 +270,15 @@ def _row(identifier: int, signal: Any, size: int, taken: dict[int, str]) -> List
         offset=offset,
         meanings=Meanings(members),
         in_unit=scale != 1 or bool(offset),
-        place=SignalPlace(first, length, "big" if signal.byte_order == "big_endian" else "little"),
+        place=SignalPlace(*_first_bit(signal), "big" if signal.byte_order == "big_endian" else "little"),
     )
+
+
+def _bits(signal: Any) -> Sequence[int]:
+    """The bits of a signal, counted from the least significant one of the first byte."""
+    first, length = _first_bit(signal)
+    bits = range(first, first + length)
+    return [bit // 8 * 8 + 7 - bit % 8 for bit in bits] if signal.byte_order == "big_endian" else bits
 
 
 def _first_bit(signal: Any) -> tuple[int, int]:
