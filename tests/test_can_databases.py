@@ -86,9 +86,7 @@ REFUSED = {
     "Voltage": "is multiplexed: it is there where Page is 1",
     "Left": "shares bytes with signals in the other byte order",
     "Right": "shares bytes with signals in the other byte order",
-    "Overlapping": "contradicts itself: The signals Second and First are overlapping in message Overlapping.",
-    "First": "belongs to a message that is not taken",
-    "Second": "belongs to a message that is not taken",
+    "Second": "overlaps First, which is taken",
     "Elsewhere": "is neither sent nor received by Drive",
     "Other": "belongs to a message that is not taken",
 }
@@ -182,6 +180,45 @@ def test_what_is_not_taken_is_named_with_its_line(run: CommandLine) -> None:
     assert {row: refused[row][: len(expected[row])] for row in refused} == expected
     assert "columns not used: Kind" in report
     assert "assumed: node: Drive (it sends 7 messages, more than any other node; --node decides)" in report
+
+
+@pytest.mark.parametrize(
+    ("database", "taken", "reason"),
+    [
+        ('BO_ 1 A: 2 B\n SG_ C : 0|8@1+ (1,0) [0|0] "" D\n SG_ E : 8|16@1+ (1,0) [0|0] "" D\n', "c", "does not fit"),
+        ('BO_ 1 A: 2 B\n SG_ C : 0|8@1+ (1,0) [0|0] "" D\n SG_ 1E : 8|8@1+ (1,0) [0|0] "" D\n', "c", "`1E`: breaks"),
+        (
+            'BO_ 1 A: 2 B\n SG_ DI_FLOW_REQ : 0|8@1+ (1,0) [0|0] "" D\n SG_ F : 8|8@1+ (1,0) [0|0] "" D\n'
+            'VAL_ 1 F 0 "DIS_FLOW_REQ" ;\nVAL_ 1 DI_FLOW_REQ 0 "DI_FLOW_REQS" ;\n',
+            "di_flow_req",
+            "",
+        ),
+    ],
+)
+def test_one_signal_refuses_no_others(database: str, taken: str, reason: str, run: CommandLine) -> None:
+    report = import_text(run, f'VERSION ""\nBU_: B D\n\n{database}')
+    assert re.findall(r"^not used: row \d+(?:, Name)?:? (.*)$", report, re.MULTILINE)[1:] == []
+    assert reason in report
+    assert ("not used: row" in report) is bool(reason)
+    fields = newest(run.folder, "drive").device.messages["a"].response.fields
+    assert taken in str(fields) + str(newest(run.folder, "drive").device.flags)
+
+
+def test_names_of_numbers_of_a_quantity_are_noted(run: CommandLine) -> None:
+    signals = ' SG_ C : 0|4@1+ (1,0) [0|0] "" D\n SG_ E : 4|4@1+ (0.5,0) [0|0] "V" D\n'
+    report = import_text(run, f'VERSION ""\nBU_: B D\n\nBO_ 1 A: 1 B\n{signals}VAL_ 1 E 15 "SNA" ;\n')
+    assert "rows: 3 of 3 used (100 %)" in report
+    assert "Values in the list: 15 SNA." in (run.folder / "drive" / "device.yaml").read_text("utf-8")
+
+
+def test_identifiers_of_more_than_11_bits_are_wide_without_their_mark(run: CommandLine) -> None:
+    text = (
+        'VERSION ""\nBU_: B D\n\nBO_ 441800714 A: 1 B\n SG_ C : 0|8@1+ (1,0) [0|0] "" D\nVAL_ 441800714 C 0 "Off" ;\n'
+    )
+    report = import_text(run, text)
+    assert "assumed: identifiers: 29 bits" in report
+    message = newest(run.folder, "drive").device.messages["a"]
+    assert (message.code, message.links) == (441800714, ("extended",))
 
 
 def test_values_units_bounds_and_comments_are_in_the_spec(run: CommandLine) -> None:

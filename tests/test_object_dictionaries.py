@@ -224,6 +224,12 @@ def test_the_device_is_read_by_the_protocol_of_such_objects(run: CommandLine) ->
     assert {"upload", "download_4"} <= device.messages.keys()
 
 
+def test_words_of_objects_are_sent_in_the_order_of_their_bytes(run: CommandLine) -> None:
+    import_text(run, SHEET)
+    sent = run("encode", "motor", "write", "position_limits.lowest=0x12345678", "--link", "sdo").out
+    assert "23 7D 60 01 78 56 34 12" in sent
+
+
 def test_a_default_that_depends_on_the_node_is_a_note(run: CommandLine) -> None:
     import_text(run, SHEET)
     text = (run.folder / "motor" / "device.yaml").read_text("utf-8")

@@ -108,6 +108,16 @@ def test_points_behind_a_group_whose_number_is_open_are_named(run: CommandLine) 
     ]
 
 
+def test_names_of_values_and_of_points_that_are_alike_refuse_none(run: CommandLine) -> None:
+    symbols = [{"name": name, "value": value} for value, name in enumerate(("VA_MAX_PCT", "VAR_MAX_PCT"))]
+    points = [
+        {"name": "Mode", "size": 1, "type": "enum16", "symbols": symbols},
+        {"name": "Ramp", "size": 1, "type": "uint16", "units": " % WMax"},
+    ]
+    report = import_text(run, json.dumps({"id": 1, "group": {"name": "g", "type": "group", "points": points}}))
+    assert "rows: 2 of 2 used (100 %)" in report
+
+
 def test_values_bits_and_exponents_of_a_model_have_their_names(run: CommandLine) -> None:
     import_text(run, text_of(103))
     layout = newest(run.folder, "meter")

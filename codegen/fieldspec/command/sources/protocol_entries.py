@@ -147,7 +147,8 @@ def _section(section: str, items: list[Mapping], mark: str) -> Iterator[str]:
         yield f"{section}:"
     for item in items:
         keys_text = "".join(f", {key}: {_needed(item, key)}" for key in required_keys if key in item.values)
-        order = ", word_order: big" if section == "links" else ""
+        # In the order of the bytes: another one would swap the words of values that have no words in the protocol.
+        order = f", word_order: {_key_text(item, 'byte_order') or 'big'}" if section == "links" else ""
         yield f"  - {{name: {identity(item)}, source: 1 L1{order}{keys_text}{mark}}}"
 
 

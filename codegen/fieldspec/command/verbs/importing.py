@@ -37,6 +37,7 @@ _ABOUT_TEXTS = (
     "printed_names_whole",
     "range_within_enum",
     "senses_differ",
+    "series_regular",
     "siblings_agree",
     "sources_ascending",
     "switches_readable",
@@ -90,8 +91,8 @@ def _passing(arguments: argparse.Namespace, device: str, origin: Origin, result:
     from fieldspec.tools.lists.skeleton import Surroundings, skeleton
 
     uses, names = _uses(arguments, result)
-    allowed: dict[int, list[str]] = {}
-    idle_before: set[tuple[int, str]] = set()
+    allowed: dict[int | str, list[str]] = {}
+    idle_before: set[tuple[int | str, str]] = set()
     for _ in range(_MOST_ROUNDS):
         surroundings = Surroundings(import_report.head(result, bool(uses)), uses, names, allowed)
         spec = skeleton(device, origin, result.registers, result.refused, surroundings)
@@ -101,13 +102,15 @@ def _passing(arguments: argparse.Namespace, device: str, origin: Origin, result:
             return spec, result
         refused: dict[int, str] = {}
         for finding in wrong:
-            row = spec.rows.get(finding.span.position()[0], 0)
-            idle = [rule for rule in allowed.get(row, ()) if f"`{rule}`" in finding.message]
+            line = finding.span.position()[0]
+            row = spec.rows.get(line, 0)
+            holder = spec.declared.get(line, row)
+            idle = [rule for rule in allowed.get(holder, ()) if f"`{rule}`" in finding.message]
             if idle and finding.code == "allowances_used":
-                allowed[row] = [rule for rule in allowed[row] if rule not in idle]
-                idle_before.update((row, rule) for rule in idle)
-            elif row and finding.code in _ABOUT_TEXTS and (row, finding.code) not in idle_before:
-                allowed.setdefault(row, []).append(finding.code)
+                allowed[holder] = [rule for rule in allowed[holder] if rule not in idle]
+                idle_before.update((holder, rule) for rule in idle)
+            elif row and finding.code in _ABOUT_TEXTS and (holder, finding.code) not in idle_before:
+                allowed.setdefault(holder, []).append(finding.code)
             elif row:
                 refused.setdefault(row, f"would break {finding.code}: {finding.message}")
             elif finding.code != "too_many_findings":
@@ -123,7 +126,9 @@ def _with_editor_line(spec: Spec) -> Spec:
 
     line = specs.editor_line()
     shift = line.count("\n")
-    return Spec(line + spec.text, {number + shift: row for number, row in spec.rows.items()}, spec.noted)
+    rows = {number + shift: row for number, row in spec.rows.items()}
+    declared = {number + shift: beginning for number, beginning in spec.declared.items()}
+    return Spec(line + spec.text, rows, spec.noted, declared)
 
 
 def _uses(

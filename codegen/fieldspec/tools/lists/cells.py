@@ -6,6 +6,7 @@ import re
 import unicodedata
 from collections.abc import Iterable
 from decimal import Decimal
+from functools import lru_cache
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.tools.lists.brackets import without_brackets
@@ -104,6 +105,7 @@ def space(text: str) -> str:
     return meaning("spaces", bare) or (space_names.pop() if len(space_names) == 1 else "")
 
 
+@lru_cache(maxsize=20_000)  # rows have most texts in common, and each is read several times
 def number(text: str, decimal: str = POINT) -> Decimal | None:
     """An exact number, decimal, or hexadecimal with a prefix or suffix; None if the text is not a number.
 

@@ -146,7 +146,10 @@ def bit_lines(bits: Sequence[Bit], enums: dict[object, str], used_names: set[str
             else:
                 facts = "".join(_number(bit, bit.row, doubts))
                 members = _named_members(bit)
-                if members:
+                is_quantity = bit.row.scale not in (None, 1) or bit.row.offset or bit.row.unit or _is_signed(bit.row)
+                if members and is_quantity:  # the language has no states of such bits
+                    doubts.append(f"Values in the list: {'; '.join(f'{n} {text}' for n, text in members)}.")
+                elif members:
                     enum_name, line = enum_of(members, name, bit.row, enums, used_names)
                     lines += [line] if line else []
                     facts += f", enum: {quoted(enum_name)}"

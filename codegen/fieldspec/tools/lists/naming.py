@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable
+from functools import lru_cache
 
 from fieldspec.language.schema import schema
 from fieldspec.tools.lists.brackets import without_brackets
@@ -26,6 +27,7 @@ def named(texts: Iterable[str], address: int, kind: str = "register") -> str:
     return next((name for name in names if len(name) > 1), names[0] if names else f"{kind}_{address:04x}")
 
 
+@lru_cache(maxsize=20_000)  # rows have most texts in common, and each is read several times
 def snake(text: str) -> str:
     """`Target Position (0.01 mm)` as `target_position`; empty if the words are in letters that have no Latin ones."""
     if len(text) <= _LONGEST and _NAME.fullmatch(text):

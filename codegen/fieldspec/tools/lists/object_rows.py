@@ -39,8 +39,10 @@ def with_subindices_apart(sheet: Sheet) -> Sheet:
     """A sheet with a column for subindices where it has them after their indices: `6040h:00`."""
     for number, row in enumerate(sheet.rows[:_HEADED_BY]):
         for column, text in enumerate(row.cells):
+            if not meaning("object_headings", text):
+                continue  # before all cells below: a list has thousands
             below = [other.cell(column) for other in sheet.rows[number + 1 :] if other.cell(column)]
-            if meaning("object_headings", text) and below and all(map(_INDEX_AND_SUBINDEX.fullmatch, below)):
+            if below and all(map(_INDEX_AND_SUBINDEX.fullmatch, below)):
                 return replace(sheet, rows=tuple(_apart(sheet.rows, number, column)))
     return sheet
 

@@ -43,13 +43,14 @@ def tables(entries: Sequence[Entry], fact: Callable[[int], str], used_records: S
         numbers = f"base: 0x{base:04X}, stride: {first.stride or width}, count: {first.count}"
         index = f", index_from: {first.texts['first']}" if first.texts.get("first") else ""
         area = f"{own_space}{numbers}{index}"
-        cited = ", ".join([*first.source(), *_elements(entries[next(_places(tree))])])
+        lowest = min((entries[place] for place in _places(tree)), key=lambda entry: entry.row.address)
+        cited = ", ".join([*first.source(), *_elements(lowest)])
         line = f"  - {{name: {table}, {area}, record: {table}, {cited}}}"
         yield line, first.row
 
 
 def _elements(entry: Entry) -> Iterator[str]:
-    """The elements of a table whose rows are rolled up, with the addresses of the first field, which the list has."""
+    """The elements of a table whose rows are rolled up, with the addresses of the lowest field, which the list has."""
     if entry.rows:
         first = int(entry.row.texts["first"])
         numbered = enumerate(entry.rows, first)

@@ -6,6 +6,7 @@ import re
 import unicodedata
 from decimal import Decimal
 from fractions import Fraction
+from functools import lru_cache
 
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.units import standard_units
@@ -103,6 +104,7 @@ def is_symbol(text: str) -> bool:
     return 0 < len(text) <= _LONGEST_SYMBOL and _SYMBOL.fullmatch(text) is not None and any(map(str.isalpha, text))
 
 
+@lru_cache(maxsize=20_000)  # rows have most texts in common, and each is read several times
 def factor(text: str, decimal: str) -> Fraction | None:
     """The factor that a cell states, with its direction: `/10`, `x0.1`, `1/10`; None if it states none above 0."""
     text = unicodedata.normalize("NFKC", text).strip().strip("`").strip()

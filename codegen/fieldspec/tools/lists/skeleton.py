@@ -51,13 +51,14 @@ class Surroundings:
     """The contents of a spec apart from the rows: remarks for its head, the facts from a protocol, and allowances.
 
     `uses` has lines by section and is empty for a spec without frames. `allowed` has the rules that a row
-    may break, by its number. `names` are those that the protocol has for numbers of parameters, and for subindices.
+    may break, by its number, and those that an enum or a bit field may break, by the beginning of its line. `names` are
+    those that the protocol has for numbers of parameters, and for subindices.
     """
 
     remarks: Sequence[str] = ()
     uses: Mapping[str, Sequence[str]] = field(default_factory=dict)
     names: Mapping[tuple[int, int | None], str] = field(default_factory=dict)
-    allowed: Mapping[int, Sequence[str]] | None = None
+    allowed: Mapping[int | str, Sequence[str]] | None = None
 
 
 _NOTHING = Surroundings()
@@ -65,11 +66,15 @@ _NOTHING = Surroundings()
 
 @dataclass(frozen=True, slots=True)
 class Spec:
-    """The text of a spec, the row of the list that each line comes from, by its number, and the rows with notes."""
+    """The text of a spec, the row of the list that each line comes from, by its number, and the rows with notes.
+
+    `declared` are the beginnings of the lines of enums and bit fields, by the numbers of the lines.
+    """
 
     text: str
     rows: Mapping[int, int]
     noted: Sequence[int]
+    declared: Mapping[int, str]
 
 
 def skeleton(
@@ -90,14 +95,17 @@ def skeleton(
     lines += ["  manual:", f"    title: {quoted(title)}", f"    file: {quoted(origin.file)}"]
     lines += [f'    sha256: "{origin.sha256}"', f"    {'pages' if by_page else 'lines'}: {last}", ""]
     rows: dict[int, int] = {}
+    declared: dict[int, str] = {}
     for line, number in writer.sections(surroundings.uses):
         lines.append(line if number or not by_page else line.replace("source: 1 L1", f"source: 1 {PAGES}1"))
         if number:
             rows[len(lines)] = number
+        if line in writer.declared:
+            declared[len(lines)] = _beginning(line)
     if refused:
         lines.append("# Rows and cells of the list that are not facts here:")
         lines += [commented(refusal.text()) for refusal in refused]
-    return Spec("\n".join(lines) + "\n", rows, sorted(writer.noted))
+    return Spec("\n".join(lines) + "\n", rows, sorted(writer.noted), declared)
 
 
 class _Writer:
@@ -109,6 +117,7 @@ class _Writer:
         known = self._protocol_names = surroundings.names
         self._labels: dict[str, set[str]] = defaultdict(set)
         self.noted: set[int] = set()
+        self.declared: set[str] = set()
         used: dict[str, set[str]] = defaultdict(set)
         self._names = [
             fresh(known.get(_number(entry)) or _name(entry), f"{entry.row.address:04x}", used[_namespace(entry)])
@@ -136,7 +145,7 @@ class _Writer:
         lines += self._units()
         for section in ("enums", "flags"):
             declarations = [
-                (line, entry.row.row)
+                (self._declaration(line), entry.row.row)
                 for entry, meaning in zip(self._registers, self._meant, strict=True)
                 for line in (meaning.enum_lines if section == "enums" else (meaning.flags_line,))
                 if line
@@ -154,6 +163,14 @@ class _Writer:
             lines += self._group(space, places) if places else []
         lines += messages(self._registers, self._fact)
         return [*lines, *parameters(self._registers, self._fact, self._protocol_names)]
+
+    def _declaration(self, line: str) -> str:
+        """The line of an enum or of a bit field, with what it may break before its source, which is its last key."""
+        if allowed := _allowance(self._allowed.get(_beginning(line), ())):
+            line, _, source = line.rpartition(", source: ")
+            line = f"{line}, {allowed}, source: {source}"
+        self.declared.add(line)
+        return line
 
     def _units(self) -> Iterator[tuple[str, int]]:
         """The units that the language does not have."""
@@ -221,8 +238,7 @@ class _Writer:
         allowed = [rule for rule in self._allowed.get(row.row, ()) if row.subindices is None or rule != _ORDER]
         if entry.is_own:
             parts += _words(row, name, self._labels[_list_of(entry)], allowed)
-        if allowed:
-            parts.append("allow: {" + ", ".join(f"{rule}: {_HAS_IT_SO}" for rule in dict.fromkeys(allowed)) + "}")
+        parts += filter(None, [_allowance(allowed)])
         if inferred:
             parts.append(f"inferred: {{{', '.join(f'{key}: {reason}' for key, reason in inferred.items())}}}")
         if doubts:
@@ -230,6 +246,16 @@ class _Writer:
             parts.append(f"notes: [{', '.join(map(quoted, doubts))}]")
         parts += row.source("" if entry.kind in (REGISTER, FIELD) else "1 ")
         return ", ".join(parts)
+
+
+def _beginning(line: str) -> str:
+    """The beginning of the line of an enum or of a bit field, which has its name."""
+    return line.partition(",")[0]
+
+
+def _allowance(rules: Sequence[str]) -> str:
+    """The key of the rules that a fact may break; empty for none."""
+    return "allow: {" + ", ".join(f"{rule}: {_HAS_IT_SO}" for rule in dict.fromkeys(rules)) + "}" if rules else ""
 
 
 def _head(entry: Entry, name: str, type_name: str) -> list[str]:
@@ -349,7 +375,7 @@ def _words(row: ListRow, name: str, labels: set[str], allowed: list[str]) -> Ite
         allowed.append("printed_names_whole")
     for key, text in (("printed_name", printed), ("label", label)):
         if text and text != name:
-            if f"{key} {text}" in labels and not row.is_own:
+            if f"{key} {text}" in labels and not row.is_own and row.kind != MESSAGE:
                 allowed.append("labels_unique")
             labels.add(f"{key} {text}")
             yield f"{key}: {quoted(text)}"

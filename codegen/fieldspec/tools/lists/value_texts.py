@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import unicodedata
+from functools import lru_cache
 from typing import NamedTuple
 
 from fieldspec.foundation.classes import dataclass
@@ -74,6 +75,7 @@ class Meanings:
     bits: tuple[NamedBits, ...] = ()
 
 
+@lru_cache(maxsize=20_000)  # rows have most texts in common, and each is read several times
 def value_meanings(text: str, single: bool = False) -> Meanings | None:
     """The meanings in a cell; None if the cell has anything else, or one number twice.
 

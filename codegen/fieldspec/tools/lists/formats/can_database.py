@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Callable, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
@@ -31,6 +32,16 @@ _NOBODY = "Vector__XXX"
 _INDEPENDENT = "VECTOR__INDEPENDENT_SIG_MSG"
 _LINE = re.compile(r"\s*(?:BO_\s+(?P<identifier>[0-9]+)\s|SG_\s+(?P<signal>\w+)[\s:])")
 _EXTENDED = 1 << 31
+_LAST_STANDARD, _LAST_WIDE = (1 << 11) - 1, 1 << 29
+_MESSAGE = re.compile(r"^[ \t]*BO_[ \t]+([0-9]{1,9})\b", re.MULTILINE)
+_OF_MESSAGE = re.compile(
+    r"^([ \t]*(?:BO_|(?:CM_|BA_[ \t]+\"[^\"\n]*\")[ \t]+(?:BO_|SG_)|VAL_|SIG_VALTYPE_|SIG_GROUP_|BO_TX_BU_|SG_MUL_VAL_)"
+    r"[ \t]+)([0-9]{1,9})\b",
+    re.MULTILINE,
+)
+"""The identifier of a message, wherever a file names it."""
+
+_FAULT, _SIGNAL, _MOST_FAULTS = re.compile(r"at line ([0-9]+)"), re.compile(r"\s*SG_\s+(\S+)"), 20
 _LONGEST = 8 << 20
 _REALS = {16: "f16", 32: "f32", 64: "f64"}
 
@@ -65,18 +76,50 @@ def can_database(text: str, node: str = "") -> tuple[Sheet, Listing]:
         ) from None
     if len(text) > _LONGEST:
         raise ListError(f"has more than {_LONGEST >> 20} MiB; a database of CAN messages is smaller")
-    try:
-        database: Any = cantools.database.load_string(text, "dbc", strict=False)
-    except Exception as error:  # the library raises what it stumbles over: ParseError, KeyError, ValueError
-        raise ListError(f"is not a database of CAN messages: {' '.join(str(error).split())[:300]}") from None
-    lines = _lines(text)
     rows = FormatRows("a database of CAN messages (DBC)", _ROLES, _NOTES)
+    text = _with_wide_identifiers(text, rows.assumptions)
+    database = _loaded(text, rows, partial(cantools.database.load_string, database_format="dbc", strict=False))
+    lines = _lines(text)
     own_node = _node(database.messages, node, rows)
     for message in database.messages:
         if message.name != _INDEPENDENT:
             _add(rows, message, own_node, lines)
     rows.items.sort(key=lambda item: item.line)
     return rows.listing(text.count("\n") + 1)
+
+
+def _with_wide_identifiers(text: str, assumptions: list[Assumption]) -> str:
+    """A text whose identifiers of more than 11 bits have the mark of extended ones, which some files lack."""
+    numbers = {digits for digits in _MESSAGE.findall(text) if _LAST_STANDARD < int(digits) < _LAST_WIDE}
+    if not numbers:
+        return text
+    first = min(numbers, key=int)
+    evidence = f"identifiers such as 0x{int(first):X} do not fit into 11 bits"
+    assumptions.append(Assumption("identifiers", "29 bits, without the mark of extended ones", evidence))
+    return _OF_MESSAGE.sub(
+        lambda match: f"{match[1]}{int(match[2]) | _EXTENDED}" if match[2] in numbers else match[0], text
+    )
+
+
+def _loaded(text: str, rows: FormatRows, load: Callable[[str], Any]) -> Any:
+    """The database of a text, without the signals that break the syntax. Raises ListError."""
+    try:
+        return load(text)
+    except Exception as error:  # the library raises what it stumbles over: ParseError, KeyError, ValueError
+        return _loaded(_without_line(text, " ".join(str(error).split())[:300], rows), rows, load)
+
+
+def _without_line(text: str, fault: str, rows: FormatRows) -> str:
+    """A text with an empty line in the place of the signal that breaks the syntax, which is refused. Raises ListError
+    for a fault elsewhere, and after many of them."""
+    place = _FAULT.search(fault)
+    lines = text.split("\n")
+    number = int(place[1]) if place else 0
+    signal = _SIGNAL.match(lines[number - 1]) if 0 < number <= len(lines) else None
+    if signal is None or len(rows.items) >= _MOST_FAULTS:
+        raise ListError(f"is not a database of CAN messages: {fault}")
+    rows.refuse(number, {"Name": signal[1]}, "breaks the syntax of DBC", "Name")
+    return "\n".join([*lines[: number - 1], "", *lines[number:]])
 
 
 def _lines(text: str) -> dict[tuple[int, str], int]:
@@ -116,11 +159,11 @@ def _add(rows: FormatRows, message: Any, node: str, lines: dict[tuple[int, str],
     cells = _message_cells(message)
     try:
         direction = _direction(message, node)
-        message.refresh(strict=True)
+        size = message.length * 8
+        if message.signals and all(max(_bits(signal)) >= size for signal in message.signals):
+            raise CellError(f"contradicts itself: no signal fits into its {size} bits")
     except CellError as error:
         reason = str(error)
-    except Exception as error:
-        reason = f"contradicts itself: {' '.join(str(error).split())[:200]}"
     else:
         reason = ""
         texts = {"name": message.name, "space": MESSAGES}
@@ -129,13 +172,14 @@ def _add(rows: FormatRows, message: Any, node: str, lines: dict[tuple[int, str],
         rows.add(line, cells, row)
     if reason:
         rows.refuse(line, cells, reason)
+    used_bits: dict[int, str] = {}
     for signal in message.signals:
         own_line = lines.get((identifier, signal.name), line)
         signal_cells = {"Identifier": cells["Identifier"], **_signal_cells(signal)}
         if reason:
             rows.refuse(own_line, signal_cells, "belongs to a message that is not taken")
             continue
-        rows.take(own_line, signal_cells, partial(_row, identifier, signal))
+        rows.take(own_line, signal_cells, partial(_row, identifier, signal, message.length * 8, used_bits))
 
 
 def _direction(message: Any, node: str) -> str:
@@ -187,8 +231,8 @@ def _signal_cells(signal: Any) -> dict[str, str]:
     }
 
 
-def _row(identifier: int, signal: Any) -> ListRow:
-    """The row of a signal. Raises CellError."""
+def _row(identifier: int, signal: Any, size: int, used_bits: dict[int, str]) -> ListRow:
+    """The row of a signal in a message of some bits, of which others are in `used_bits`. Raises CellError."""
     if signal.multiplexer_ids:
         values = ", ".join(map(str, signal.multiplexer_ids[:5]))
         selector = signal.multiplexer_signal
@@ -201,6 +245,12 @@ def _row(identifier: int, signal: Any) -> ListRow:
     scale, offset, low, high = numbers
     if scale is None or scale <= 0 or offset is None:
         raise CellError(f"has the factor {signal.scale} and the offset {signal.offset}")
+    numbered = _bits(signal)
+    if min(numbered) < 0 or max(numbered) >= size:
+        raise CellError(f"does not fit into the {size} bits of its message")
+    if other := next((used_bits[bit] for bit in numbered if bit in used_bits), ""):
+        raise CellError(f"overlaps {other}, which is taken")
+    used_bits |= dict.fromkeys(numbered, signal.name)
     name = _REALS[signal.length] if signal.is_float else "i64" if signal.is_signed else "u64"
     members = tuple((int(number), str(text)) for number, text in (signal.choices or {}).items())
     bounds = {"min": signal.minimum, "max": signal.maximum}
@@ -222,6 +272,13 @@ def _row(identifier: int, signal: Any) -> ListRow:
         in_unit=scale != 1 or bool(offset),
         place=SignalPlace(*_first_bit(signal), "big" if signal.byte_order == "big_endian" else "little"),
     )
+
+
+def _bits(signal: Any) -> Sequence[int]:
+    """The bits of a signal, counted from the least significant one of the first byte."""
+    first, length = _first_bit(signal)
+    bits = range(first, first + length)
+    return [bit // 8 * 8 + 7 - bit % 8 for bit in bits] if signal.byte_order == "big_endian" else bits
 
 
 def _first_bit(signal: Any) -> tuple[int, int]:

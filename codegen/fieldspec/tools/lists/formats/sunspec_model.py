@@ -183,7 +183,7 @@ def _row(model: _Model, point: dict[str, Any], names: tuple[str, ...], count: in
     if names:
         name = ".".join((*names, named([own_name], model.following)))
         texts |= {"name": name, "printed_name": own_name}
-    unit = str(point.get("units") or "")
+    unit = str(point.get("units") or "").strip()
     states = ((absent, "not_implemented"),) if absent and constant is None and not members else ()
     bounds = USUAL if kind == _EXPONENT else (None, None)
     return ListRow(
