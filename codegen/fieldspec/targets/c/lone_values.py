@@ -1,4 +1,4 @@
-"""The values that have functions of their own: those of registers and parameters."""
+"""The values of registers and parameters, which have functions of their own."""
 
 from __future__ import annotations
 

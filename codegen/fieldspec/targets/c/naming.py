@@ -70,7 +70,7 @@ class Naming:
 
     @contextmanager
     def noting(self) -> Iterator[RequestedNames]:
-        """Meanwhile, records the requests and the names; those of a piece in a piece count as those of both."""
+        """Records the requests and the names of a piece. A piece within it records its own, which count for both."""
         outer, self._noted = self._noted, ({}, {})
         requested_names = self._noted
         try:

@@ -66,8 +66,8 @@ def write_lists(record: RecordLayout, name: str, names: Names) -> list[str]:
     size = " + ".join([str(record.inner_lists.fixed), *sizes])
     if any(own.in_room or any(form.varies for form in own.forms.values()) for own in record.fields):
         size = f"sent{name}(value).length"
-    sent = f"sentOfImage(inner{name}, image, {lengths[-1]})"
-    return _image_writer(name, last.room + last.most, sent, size)
+    sent_bytes = f"sentOfImage(inner{name}, image, {lengths[-1]})"
+    return _image_writer(name, last.room + last.most, sent_bytes, size)
 
 
 def width_table(record: RecordLayout, name: str) -> list[str]:
@@ -80,15 +80,15 @@ def width_table(record: RecordLayout, name: str) -> list[str]:
 
 def write_widths(record: RecordLayout, name: str) -> list[str]:
     """The functions that write a value of varying width and count its bytes."""
-    sent = f"narrowedImage(widths{name}, image)"
-    return _image_writer(name, sum(span.size for span in record.spans), sent, f"sent{name}(value).length")
+    sent_bytes = f"narrowedImage(widths{name}, image)"
+    return _image_writer(name, sum(span.size for span in record.spans), sent_bytes, f"sent{name}(value).length")
 
 
-def _image_writer(name: str, image_size: int, sent: str, size: str) -> list[str]:
-    """The functions that write a value by the bytes `sent` of its image, and count them."""
+def _image_writer(name: str, image_size: int, sent_bytes: str, size: str) -> list[str]:
+    """The functions that write a value by the bytes `sent_bytes` of its image, and count them."""
     image = [f"const image = new Uint8Array({image_size});", f"writeImage{name}(value, image, 0);"]
     return [
-        *function(f"sent{name}", "value", [*image, f"return {sent};"]),
+        *function(f"sent{name}", "value", [*image, f"return {sent_bytes};"]),
         *function(f"size{name}", "value", [f"return {size};"]),
         *function(f"write{name}", "value, b, o", [f"b.set(sent{name}(value), o);"]),
     ]

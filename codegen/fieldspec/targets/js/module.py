@@ -31,11 +31,11 @@ def remaining(layout: DeviceLayout) -> Expressed:
     return expressed(layout, codec_refusals(layout, "JavaScript", javascript))
 
 
-def declarations(names: Names, spelled: bool = False) -> list[Declaration]:
+def declarations(names: Names, is_for_names: bool = False) -> list[Declaration]:
     """Everything that the module of a version declares, in an order in which nothing is used before it.
 
-    Enums, words of flags, records, messages and registers are added to the names. Where usages are only `spelled`, the
-    declarations of enums, words of flags and registers are left out: their names are all that usages need of them.
+    Enums, words of flags, records, messages and registers are added to the names. If it `is_for_names`, the
+    declarations of enums, words of flags and registers are left out: usages need only their names.
     """
     layout, scope = names.layout, names.scope
     device = layout.device
@@ -52,7 +52,7 @@ def declarations(names: Names, spelled: bool = False) -> list[Declaration]:
             Name.of(message.name).pascal(), f"{Name.of(message.name).pascal()}Message"
         )
     rows = [Declaration(codec_constants(layout), [])]
-    if not spelled:
+    if not is_for_names:
         rows += [declare_enum(enum, names.enums[enum.name]) for enum in device.enums.values()]
         rows += [declare_flags(flags, names.flags[flags.name], device.enums) for flags in device.flags.values()]
     rows += [
@@ -70,7 +70,7 @@ def declarations(names: Names, spelled: bool = False) -> list[Declaration]:
     rows += [declare_conversion(conversion, names) for conversion in device.conversions.values()]
     for register in layout.registers:
         names.registers[register.name] = scope.take(Name.of(register.name).upper())
-    rows += [] if spelled else [declare_register(register, names) for register in layout.registers]
+    rows += [] if is_for_names else [declare_register(register, names) for register in layout.registers]
     rows += [declare_table(table, names) for table in layout.tables.values()]
     if layout.registers or layout.tables:
         rows.append(declare_accesses(names))

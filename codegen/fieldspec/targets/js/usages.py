@@ -54,7 +54,7 @@ def usages(versions: Sequence[DeviceLayout]) -> dict[str, VersionUsages]:
 
 def _spell(layout: DeviceLayout) -> Iterator[Usage]:
     names = Names(layout, module_scope())
-    return usage_rows(names, declarations(names, spelled=True))
+    return usage_rows(names, declarations(names, is_for_names=True))
 
 
 def usage_rows(names: Names, rows: Sequence[Declaration]) -> Iterator[Usage]:

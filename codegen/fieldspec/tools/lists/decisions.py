@@ -206,21 +206,21 @@ def _with_elements(
     """The rows, with counts as their lengths where each is the number of words of its type, or that of a text without
     a length: no value is repeated. They are characters of the type `char`, and of a text whose next address is nearer.
     Beside strides, they count values."""
-    counted = {
+    row_types = {
         row.row: row.type for row in rows if "count" in row.texts and row.words is None and row.type and row.type.name
     }
-    sized = [row for row in rows if row.row in counted and counted[row.row].size]
-    are_elements = any(row.count != counted[row.row].size for row in sized)
+    sized = [row for row in rows if row.row in row_types and row_types[row.row].size]
+    are_elements = any(row.count != row_types[row.row].size for row in sized)
     of_characters = {
         row.row
         for row, gap in zip(rows, gaps, strict=True)
-        if row.row in counted
-        and counted[row.row].name == _TEXT
+        if row.row in row_types
+        and row_types[row.row].name == _TEXT
         and row.count > 1
         and (0 < gap < row.count or folded(row.texts["type"]).startswith(_CHARACTERS))
     }
-    of_words = {number for number, own_type in counted.items() if own_type.name == _TEXT or not are_elements}
-    if any("stride" in row.texts for row in rows if row.row in counted):
+    of_words = {number for number, own_type in row_types.items() if own_type.name == _TEXT or not are_elements}
+    if any("stride" in row.texts for row in rows if row.row in row_types):
         return rows
     for readings, reading, evidence in (
         (of_words - of_characters, "lengths in words", "each is that of the type, or of a text"),
@@ -231,7 +231,7 @@ def _with_elements(
     result = []
     for row in rows:
         if row.row in of_characters:
-            row = replace(row, type=replace(counted[row.row], length=row.count), count=1)
+            row = replace(row, type=replace(row_types[row.row], length=row.count), count=1)
         elif row.row in of_words:
             row = replace(row, words=row.count, count=1)
         result.append(row)

@@ -30,9 +30,9 @@ def file_list(
     formatted = formatted_list(decoded(content, encoding), options.node) if is_text else None
     if formatted is None:
         sheet = content_sheet(content, encoding, sheet_name)
-        found = listing(sheet, names, options)
-        lines = max(sheet.lines, *(row.number for row in found.columns.rows))  # a matrix has more rows than the file
-        return replace(sheet, lines=lines), found
+        result = listing(sheet, names, options)
+        lines = max(sheet.lines, *(row.number for row in result.columns.rows))  # a matrix has more rows than the file
+        return replace(sheet, lines=lines), result
     idle = [*names, *(key for key in attributes(Options) if key != "node" and getattr(options, key))]
     if idle:
         raise ListError(f"says that itself, so --{idle[0].replace('_', '-')} has no effect; leave it out")

@@ -34,7 +34,7 @@ from fieldspec.tools.lists.row_cells import row_cells, row_texts
 from fieldspec.tools.lists.row_quantity import FACTORS, SCALED_BOUNDS
 from fieldspec.tools.lists.row_reading import ListRow, read_row
 from fieldspec.tools.lists.row_spaces import (
-    said_base,
+    stated_base,
     titled_order,
     titles,
     unread_texts,
@@ -130,7 +130,7 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
     has_objects = False
     if not own:
         columns_of_sheet, has_objects = with_objects(columns_of_sheet, options.base, refused, assumptions)
-    base = options.base or ("" if own else said_base(sheet, assumptions))
+    base = options.base or ("" if own else stated_base(sheet, assumptions))
     places = placed(columns_of_sheet, base)
     ways = bases(places, base, columns_of_sheet.heading("address"))
     if own:
@@ -235,23 +235,23 @@ def _with_columns(sheet: Sheet, names: Mapping[str, str], assumptions: list[Assu
     sheet = side_by_side(sheet, assumptions)
     fault = None
     try:
-        found = columns(with_subindices_apart(sheet), names)
+        sheet_columns = columns(with_subindices_apart(sheet), names)
     except ListError as error:
         fault = error
     else:
-        heading = found.heading("address")
-        if {*found.places} <= {"address", "space"} and len(found.unused()) > 1:
+        heading = sheet_columns.heading("address")
+        if {*sheet_columns.places} <= {"address", "space"} and len(sheet_columns.unused()) > 1:
             fault = ListError(
                 f"has addresses under {heading}, and no other column that is understood "
-                f"({headings_text(found.headings)}); name the column of addresses with --address"
+                f"({headings_text(sheet_columns.headings)}); name the column of addresses with --address"
             )
         elif address_rank(heading):
-            return sheet, found
+            return sheet, sheet_columns
     if (unrolled := matrix(sheet, assumptions)) is not None:
         return unrolled, columns(unrolled, names)
     if fault is not None:
         raise fault
-    return sheet, found
+    return sheet, sheet_columns
 
 
 def _refuse_codes(rows: Sequence[ListRow], places: Placed, columns_of_sheet: Columns) -> None:

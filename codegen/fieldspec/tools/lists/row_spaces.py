@@ -78,13 +78,13 @@ def unread_texts(sheet: Sheet, used: Set[int], has_factors: bool) -> Iterator[As
         yield Assumption("scales", "as each row has them", f"`{text[:_LONGEST_QUOTE]}` is not used")
 
 
-def said_base(sheet: Sheet, assumptions: list[Assumption]) -> str:
+def stated_base(sheet: Sheet, assumptions: list[Assumption]) -> str:
     """The base that a text of its own says all addresses to have; empty where none does."""
     texts = filter(pattern("of_addresses").search, titles(sheet).values())
-    said = next((text for text in texts if pattern("in_hexadecimal").search(text)), "")
-    if not said or pattern("decimal").search(pattern("in_hexadecimal").sub("", said)):
+    statement = next((text for text in texts if pattern("in_hexadecimal").search(text)), "")
+    if not statement or pattern("decimal").search(pattern("in_hexadecimal").sub("", statement)):
         return ""
-    assumptions.append(Assumption("addresses", "hexadecimal", f"`{said[:_LONGEST_QUOTE]}`", "--base decimal"))
+    assumptions.append(Assumption("addresses", "hexadecimal", f"`{statement[:_LONGEST_QUOTE]}`", "--base decimal"))
     return HEXADECIMAL
 
 

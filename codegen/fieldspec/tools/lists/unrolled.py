@@ -1,4 +1,4 @@
-"""Lists whose rows are no registers: matrices with an address in each cell, and registers side by side in columns."""
+"""Lists whose rows are not single registers: matrices with an address in each cell, and registers side by side in columns."""
 
 from __future__ import annotations
 
@@ -50,24 +50,28 @@ def matrix(sheet: Sheet, assumptions: list[Assumption]) -> Sheet | None:
         rows = [row for row in sheet.rows[index + 1 :] if sum(map(bool, row.cells)) > 1]
         names = next((n for n in range(len(head.cells)) if _are_names(rows, n, head.cell(n))), None)
         columns = [n for n, text in enumerate(head.cells) if n != names and _heads_addresses(text, rows, n)]
-        about = [text for row in sheet.rows[: index + 1] for text in row.cells]
-        if names is not None and len(columns) >= _FEWEST <= len(rows) and _are_shown(about, head, rows, columns):
+        texts_above = [text for row in sheet.rows[: index + 1] for text in row.cells]
+        if (
+            names is not None
+            and len(columns) >= _FEWEST <= len(rows)
+            and _have_addresses(texts_above, head, rows, columns)
+        ):
             break
     else:
         return None
-    others = [n for n in range(len(head.cells)) if n not in (*columns, names)]
-    below = [SheetRow(head.number, ("address", "name", *(head.cell(n) for n in others)))]
+    other_columns = [n for n in range(len(head.cells)) if n not in (*columns, names)]
+    below = [SheetRow(head.number, ("address", "name", *(head.cell(n) for n in other_columns)))]
     for column in columns:
         for row in rows:
             text = row.cell(names)
             text = text if any(map(str.isalpha, text)) else f"{head.cell(names)} {text}".strip()
             address = "" if row.cell(column) in _NONE else row.cell(column)
-            cells = (address, f"{text} {head.cell(column)}", *(row.cell(n) for n in others))
+            cells = (address, f"{text} {head.cell(column)}", *(row.cell(n) for n in other_columns))
             below.append(SheetRow(below[-1].number + 1, cells))
     reading = f"cells under {', '.join(map(head.cell, columns))} are addresses; rows count on from column to column"
     assumptions.append(Assumption("matrix", reading, "each cell is there once"))
-    shown = (*sheet.rows[:index], *(row for row in below if row.cell(0)))
-    return replace(sheet, rows=shown, heads=frozenset())
+    unrolled_rows = (*sheet.rows[:index], *(row for row in below if row.cell(0)))
+    return replace(sheet, rows=unrolled_rows, heads=frozenset())
 
 
 def _heads_addresses(text: str, rows: Sequence[SheetRow], column: int) -> bool:
@@ -85,7 +89,9 @@ def _are_names(rows: Sequence[SheetRow], column: int, heading: str) -> bool:
     return may_be_named and all(texts) and len({*texts}) == len(texts)
 
 
-def _are_shown(about: Sequence[str], head: SheetRow, rows: Sequence[SheetRow], columns: Sequence[int]) -> bool:
+def _have_addresses(
+    texts_above: Sequence[str], head: SheetRow, rows: Sequence[SheetRow], columns: Sequence[int]
+) -> bool:
     """Whether cells are addresses: each is there once, and has a mark, or they lie apart alike in all rows below
     headings of one thing with numbers, or below a text about addresses."""
     texts = [[row.cell(n) for n in columns] for row in rows]
@@ -98,5 +104,5 @@ def _are_shown(about: Sequence[str], head: SheetRow, rows: Sequence[SheetRow], c
     numbers = [[address.number(DECIMAL) if address else None for address in line] for line in addresses]
     steps = {tuple(b - a if a is not None and b is not None else None for a, b in pairwise(line)) for line in numbers}
     stems = {match[1] if (match := _NUMBERED.fullmatch(head.cell(n))) else head.cell(n) for n in columns}
-    is_said = any(map(pattern("of_addresses").search, about))
-    return len(steps) == 1 and None not in steps.pop() and (len(stems) == 1 or is_said)
+    is_stated = any(map(pattern("of_addresses").search, texts_above))
+    return len(steps) == 1 and None not in steps.pop() and (len(stems) == 1 or is_stated)

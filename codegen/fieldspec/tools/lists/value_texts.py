@@ -38,7 +38,7 @@ _SIMPLE = re.compile(r"(0x[0-9a-f]{1,16}|-?[0-9]{1,20}|nan)\s+([^\s=:].*)", re.I
 _SEPARATOR = re.compile(r"[;\n·•]|(?:\s[/|]|,)(?=\s*-?[0-9]+\s)")
 """What stands between values: `0 off; 1 on`, `0 off / 1 on`, `0 off · 1 on`."""
 
-_COUNTED = re.compile(r"\s+(?=[0-9]+\s+[^\W\d])")
+_NEXT_NUMBER = re.compile(r"\s+(?=[0-9]+\s+[^\W\d])")
 """What stands between values that only blanks part: `0 off 1 on 2 auto`."""
 
 _BESIDE = re.compile(r"[,/·•|]\s*[0-9]+[\s(]")
@@ -114,7 +114,7 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
                     for part, name in zip(parts, texts, strict=True)
                 ]
             )
-    if single and not _SEPARATOR.search(text) and len(pieces := _COUNTED.split(text)) > 1:
+    if single and not _SEPARATOR.search(text) and len(pieces := _NEXT_NUMBER.split(text)) > 1:
         text = "; ".join(pieces)
     simple = [_SIMPLE.fullmatch(piece.strip()) for piece in _SEPARATOR.split(text) if piece.strip()]
     if simple and all(simple) and (single or len(simple) > 1 or text.rstrip().endswith(";")):
