@@ -5260,7 +5260,7 @@ function encodeRecord(device, record, values) {
   }));
   for (const { name, presence } of fields) {
     const [number] = presence ? known.get(presence.by) : [];
-    if (presence && !fits(presence, number, known.get(name).length)) {
+    if (presence && !presence.fits(number, known.get(name).length)) {
       throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
     }
     const more = form.inner?.lists.find((list) => list.name === name)?.more;

@@ -5,14 +5,17 @@ from __future__ import annotations
 import io
 import random
 import re
+import subprocess
 from argparse import Namespace
 from collections.abc import Iterator, Sequence
 from itertools import islice
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from compiler_modules import PACKAGE
+from external_tools import require_tool
 from fieldspec.codec.explain import sentences
 from fieldspec.codec.explain.readings import ChosenReading, FrameOptions
 from fieldspec.codec.layout.device import DeviceLayout
@@ -20,7 +23,8 @@ from fieldspec.command.frames.frame_hints import FrameHints, HintedReading, Read
 from fieldspec.command.rendering.explanation_text import as_data
 from fieldspec.command.verbs.decode import FramePrinter, Log
 from fieldspec.language.model.texts import Example
-from fieldspec.targets.explainer import RUNTIME, module_text
+from fieldspec.targets.explainer import RUNTIME, SHARED, module_text
+from fieldspec.targets.explainer.device import explainer_data
 from js_output.explanations import explained_by_node, explained_by_python, portable
 from js_output.javascript import module_path
 from js_output.test_javascript_frames import frames_of
@@ -216,3 +220,29 @@ def test_both_explainers_use_every_sentence() -> None:
     all_texts = {".py": "".join(file.read_text("utf-8") for file in modules), ".js": "".join(map(module_text, RUNTIME))}
     for suffix, texts in all_texts.items():
         assert set(re.findall(r"(?:sentences|SENTENCES)\.([A-Z_]+)\b", texts)) | used_within[suffix] == names
+
+
+ENCODE = """
+import {{ ExplainedDevice }} from "./explain/device.js";
+import {{ encodeFrame }} from "./explain/encoding.js";
+import {{ explained }} from "./explain/explanation.js";
+const device = new ExplainedDevice({data});
+for (const {{ link, direction, message, frame }} of device.data.examples) {{
+  const bytes = Uint8Array.from(frame.match(/../g), (digits) => parseInt(digits, 16));
+  const values = new Map(explained(device, link, direction, bytes, message).values.entries());
+  console.log(Buffer.from(encodeFrame(device, {{ link, direction, message }}, values)).toString("hex"));
+}}
+"""
+
+
+def test_the_lab_builds_frames_of_which_bits_say_that_a_field_is_not_sent(tmp_path: Path) -> None:
+    layout = newest(TEST_SPECS, "armband")
+    for folder, modules in (("", SHARED), ("explain", RUNTIME)):
+        (tmp_path / folder).mkdir(exist_ok=True)
+        for name in modules:
+            (tmp_path / folder / f"{name}.js").write_text(module_text(name), "utf-8")
+    (tmp_path / "package.json").write_text('{"type": "module"}')
+    (tmp_path / "encode.mjs").write_text(ENCODE.format(data=explainer_data(layout)), "utf-8")
+    command = [require_tool("node"), "encode.mjs"]
+    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert run.stdout.split() == [example.frame.hex() for example in layout.device.examples.values()], run.stderr

@@ -1,7 +1,7 @@
 import { textBytes, textFault } from "../encodings.js";
 import { CodecError } from "../error.js";
 import { exceedsReal, onBits, realBits } from "../number_bits.js";
-import { fits, follows, sentOfImage } from "../lists.js";
+import { follows, sentOfImage } from "../lists.js";
 import { narrowedImage } from "../widths.js";
 import { bytesOfNumber, inPlaces, isArray } from "./interpreter.js";
 import { isWhole } from "./numbers.js";
@@ -113,7 +113,7 @@ export function encodeRecord(device, record, values) {
   }));
   for (const { name, presence } of fields) {
     const [number] = presence ? known.get(presence.by) : [];
-    if (presence && !fits(presence, number, known.get(name).length)) {
+    if (presence && !presence.fits(number, known.get(name).length)) {
       throw new CodecError("wrong_measure", `${presence.by} is ${number}, but there are ${known.get(name).length} of ${name}`);
     }
     const more = form.inner?.lists.find((list) => list.name === name)?.more;
