@@ -51,12 +51,21 @@ PROGRAMS = {
         " if (out[0] != 0xE9u || out[3] != 0x20u || !device_is_encoded_text(out, 4, 1u, 0x20u, false, 0xFFu)) return 1;"
         " device_load_encoded_text(text, out, 4, 1u, 0x20u, false, 0xFFu); if (memcmp(text, word, 3) != 0) return 1;",
     ),
+    "counts.h": (
+        [],
+        'uint8_t out[4]; const uint8_t *text = (const uint8_t *)"01fA";'
+        " if (!device_is_count(text, 3, 0x61u) || device_is_count(text, 3, 10u) || device_is_count(text, 4, 0x61u)) return 1;"
+        " if (device_load_count(text, 3, 0x61u) != 31u || device_load_count(text, 2, 10u) != 1u) return 1;"
+        " if (device_load_count(text, 2, 1u) != 0x3130u || !device_is_count(text, 4, 0)) return 1;"
+        " if (!device_store_count(out, 3, 0x61u, 31u) || memcmp(out, text, 3) != 0) return 1;"
+        " if (device_store_count(out, 2, 10u, 100u) || device_store_count(NULL, 1, 0, 256u)) return 1;",
+    ),
     "widths.h": (
-        ["status.h"],
-        "const device_width fields[2] = {{6u, 5u, 0x2Cu, 0u, 1u, true, 0u, 0u, 0u, 0u, false},"
-        " {1u, 0u, 0x100u, 0u, 0u, false, 0u, 0u, 0u, 0u, false}};"
-        " const device_width texts[2] = {{2u, 0u, 0x100u, 0u, 0u, false, 2u, 3u, 2u, 1u, true},"
-        " {3u, 3u, 0x100u, 1u, 0u, false, 0u, 2u, 2u, 1u, true}};"
+        ["status.h", "counts.h"],
+        "const device_width fields[2] = {{6u, 5u, 0x2Cu, 0u, 1u, true, 0u, 0u, 0u, 0u, 0u},"
+        " {1u, 0u, 0x100u, 0u, 0u, false, 0u, 0u, 0u, 0u, 0u}};"
+        " const device_width texts[2] = {{2u, 0u, 0x100u, 0u, 0u, false, 2u, 3u, 2u, 1u, 1u},"
+        " {3u, 3u, 0x100u, 1u, 0u, false, 0u, 2u, 2u, 1u, 1u}};"
         ' uint8_t image[7], out[7]; size_t length = 0; const uint8_t *line = (const uint8_t *)"-12.5,";'
         " if (device_widen_fields(fields, 2, line, 6, image) != DEVICE_OK) return 1;"
         ' if (memcmp(image, "-012.5,", 7) != 0) return 1;'
@@ -71,11 +80,11 @@ PROGRAMS = {
         " if (device_widen_fields(texts, 2, line, 4, image) != DEVICE_ERR_WRONG_MEASURE) return 1;",
     ),
     "list_elements.h": (
-        ["machine.h", "status.h"],
+        ["machine.h", "status.h", "counts.h"],
         "const device_inner_list bits_count ="
-        " {2u, 2u, 1u, 0u, 8u, 0u, 2u, 1u, 0L, true, 240u, NULL, NULL, NULL, 0u, false, false, false, 0L};"
+        " {2u, 2u, 1u, 0u, 8u, 0u, 2u, 1u, 0L, 1u, 240u, NULL, NULL, NULL, 0u, false, false, false, 0L};"
         " const device_inner_list packed ="
-        " {0u, 0u, 2u, 2u, 4u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, NULL, 12u, false, true, false, 0L};"
+        " {0u, 0u, 2u, 2u, 4u, 0u, 0u, 1u, 0L, 0u, 0u, NULL, NULL, NULL, 12u, false, true, false, 0L};"
         ' uint8_t image[4], out[3]; const uint8_t *bits = (const uint8_t *)"\\xFA\\xB2\\xCD";'
         ' if (device_list_size(&bits_count, (const uint8_t *)"\\x2F\\xFF") != 2) return 1;'
         " device_unpack_list(&packed, bits, 4, image);"
@@ -83,16 +92,16 @@ PROGRAMS = {
         " device_pack_list(&packed, image, 4, out); if (memcmp(out, bits, 3) != 0) return 1;",
     ),
     "inner_lists.h": (
-        ["machine.h", "status.h", "list_elements.h"],
+        ["machine.h", "status.h", "counts.h", "list_elements.h"],
         "const device_inner_list lists[2] ="
-        " {{2u, 4u, 2u, 0u, 4u, 1u, 1u, 2u, 0L, false, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L},"
-        " {3u, 8u, 1u, 0u, 3u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L}};"
+        " {{2u, 4u, 2u, 0u, 4u, 1u, 1u, 2u, 0L, 0u, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L},"
+        " {3u, 8u, 1u, 0u, 3u, 0u, 0u, 1u, 0L, 0u, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L}};"
         " uint8_t image[11], out[8]; size_t length = 0;"
         ' const uint8_t *data = (const uint8_t *)"a\\1LIyTSz", *longer = (const uint8_t *)"a\\3yz";'
         " const device_inner_list tags ="
-        " {1u, 1u, 4u, 0u, 8u, 0u, 0u, 1u, 0L, false, 0u, tag_size, NULL, NULL, 0u, false, false, false, 0L};"
+        " {1u, 1u, 4u, 0u, 8u, 0u, 0u, 1u, 0L, 0u, 0u, tag_size, NULL, NULL, 0u, false, false, false, 0L};"
         " const device_inner_list packed ="
-        " {0u, 0u, 2u, 2u, 4u, 0u, 0u, 1u, 0L, false, 0u, NULL, NULL, NULL, 12u, false, true, false, 0L};"
+        " {0u, 0u, 2u, 2u, 4u, 0u, 0u, 1u, 0L, 0u, 0u, NULL, NULL, NULL, 12u, false, true, false, 0L};"
         ' const uint8_t *bits = (const uint8_t *)"\\xFA\\xB2\\xCD";'
         ' const uint8_t *sent = (const uint8_t *)"x\\2AB\\1C";'
         " if (device_take_lists(lists, 2, 4, data, 8, image, &length) != DEVICE_OK || length != 10) return 1;"
@@ -171,7 +180,7 @@ BEHIND = {
 static size_t tag_size(const uint8_t *in, size_t left)
 {
     static const device_inner_list value =
-        {1u, 1u, 1u, 0u, 3u, 0u, 1u, 1u, 0L, false, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L};
+        {1u, 1u, 1u, 0u, 3u, 0u, 1u, 1u, 0L, 0u, 0u, NULL, NULL, NULL, 0u, false, false, false, 0L};
     uint8_t fields[1];
     return device_sent_size(&value, 1, 1, fields, in, left);
 }
