@@ -11,10 +11,10 @@ from fieldspec.codec.layout.inner_lists import InnerList
 from fieldspec.codec.layout.record import FieldLayout, RecordLayout
 from fieldspec.codec.layout.widths import WidthError, extents, image_of, image_with_counts
 from fieldspec.foundation.classes import dataclass
-from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, Verdicts, number_at, spread
+from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, Verdicts, spread
 from fieldspec.tools.captures.decoders import Decoders, ValueColumns
 from fieldspec.tools.captures.part_numbers import field_numbers
-from fieldspec.tools.captures.presences import has_element, is_met, presence_bits
+from fieldspec.tools.captures.presences import counts_at, has_element, is_met, presence_bits
 from fieldspec.tools.captures.slots import Slot, deepened, slots, with_deep_rooms
 from fieldspec.tools.captures.verdicts import (
     INCOMPLETE,
@@ -262,7 +262,7 @@ class BodyReader:
 
     def _refuse_zeros(self, text: InnerList, buffer: Bytes, place: Numbers, values: ValueColumns) -> None:
         """Refuses texts at the end of records, which begin at a `place`, that have a zero among their bytes."""
-        count = number_at(buffer, place - text.room + text.count_at, text.count_size, text.count_order)
+        count = counts_at(buffer, place - text.room, text)
         count = (count if text.presence is None else presence_bits(text.presence, count)) - text.plus
         for row, (first, size) in enumerate(zip(place.tolist(), count.tolist(), strict=True)):
             data = buffer[first : first + size].tobytes()

@@ -6,14 +6,24 @@ import numpy as np
 
 from fieldspec.codec.layout.inner_lists import InnerList
 from fieldspec.codec.layout.presence import PresenceLayout
-from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at
+from fieldspec.foundation.runtime._digits import size_in
+from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, numbers
+
+
+def counts_at(buffer: Bytes, offsets: Numbers, inner: InnerList) -> Numbers:
+    """The numbers that count the lists of records that begin at some places; 0 for digits that are none."""
+    place = offsets + inner.count_at
+    if inner.count_order in ("big", "little"):
+        return number_at(buffer, place, inner.count_size, inner.count_order)
+    pieces = (buffer[first : first + inner.count_size].tobytes() for first in place.tolist())
+    return numbers([size_in(piece, inner.count_order) or 0 for piece in pieces])
 
 
 def has_element(buffer: Bytes, offsets: Numbers, inner: InnerList, number: int) -> Mask:
     """Whether the lists of records that begin at some places have an element with a number."""
     is_there = np.ones(len(offsets), np.bool_)
     if inner.count:
-        units = number_at(buffer, offsets + inner.count_at, inner.count_size, inner.count_order)
+        units = counts_at(buffer, offsets, inner)
         units = units if inner.presence is None else units & inner.presence.mask
         if inner.presence is not None and inner.presence.numbers:
             is_there = is_met(inner.presence, units)
@@ -24,8 +34,8 @@ def has_element(buffer: Bytes, offsets: Numbers, inner: InnerList, number: int) 
     for index in range(number if continuation is not None else 0):
         assert continuation is not None
         place = offsets + inner.room + index * inner.element + continuation.offset
-        numbers = number_at(buffer, place, continuation.size, continuation.order)
-        is_there &= is_met(continuation.presence, numbers & continuation.presence.mask)
+        codes = number_at(buffer, place, continuation.size, continuation.order)
+        is_there &= is_met(continuation.presence, codes & continuation.presence.mask)
     return is_there
 
 
