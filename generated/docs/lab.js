@@ -4694,18 +4694,20 @@ function bytesOf(text) {
   return data;
 }
 
-function inCharacters(text, links) {
+function linesOpenings(links) {
+  return [...links].flatMap((link) => [...link.openings.entries()].map(([direction, mark]) => [link, direction, mark]));
+}
+
+function inCharacters(text, openings) {
   text = py.lstrip(unquoted(text));
-  for (const link of links) {
-    for (const [direction, mark] of link.openings.entries()) {
-      if (py.startswith(text, mark)) {
-        let [body, ending] = linesEnded(text);
-        if (link.transmission === "hex_ascii") {
-          body = py.join("", py.split(body));
-        }
-        const [, end] = link.marks(direction);
-        return linesSplitEnd(py.encode(body, "latin-1", "replace"), py.encode(ending, "latin-1"), end);
+  for (const [link, direction, mark] of openings) {
+    if (py.startswith(text, mark)) {
+      let [body, ending] = linesEnded(text);
+      if (link.transmission === "hex_ascii") {
+        body = py.join("", py.split(body));
       }
+      const [, end] = link.marks(direction);
+      return linesSplitEnd(py.encode(body, "latin-1", "replace"), py.encode(ending, "latin-1"), end);
     }
   }
   return null;
@@ -4870,8 +4872,9 @@ function linesUnmarked(text, links) {
 
 function linesFrame(text, links) {
   text = py.lstrip(text, " \t");
+  const openings = linesOpenings(links);
   while (text) {
-    const frame = inCharacters(text, links);
+    const frame = inCharacters(text, openings);
     if (frame != null) {
       return frame;
     }

@@ -69,20 +69,24 @@ def bytes_of(text: str) -> bytes:
     return data
 
 
-def in_characters(text: str, links: Iterable[Link]) -> tuple[bytes, tuple[str, ...]] | None:
+def _openings(links: Iterable[Link]) -> list[tuple[Link, str, str]]:
+    """The characters with which frames begin: the link, the direction and the characters of each."""
+    return [(link, direction, mark) for link in links for direction, mark in link.openings.items()]
+
+
+def in_characters(text: str, openings: Iterable[tuple[Link, str, str]]) -> tuple[bytes, tuple[str, ...]] | None:
     """A frame that the text shows as characters, with a remark on what is missing at its end.
 
-    None if the text does not begin like a frame of one of the links that send characters.
+    None if the text does not begin like a frame.
     """
     text = unquoted(text).lstrip()
-    for link in links:
-        for direction, mark in link.openings.items():
-            if text.startswith(mark):
-                body, ending = _ended(text)
-                if link.transmission == "hex_ascii":
-                    body = "".join(body.split())
-                _, end = link.marks(direction)
-                return _split_end(body.encode("latin-1", "replace"), ending.encode("latin-1"), end)
+    for link, direction, mark in openings:
+        if text.startswith(mark):
+            body, ending = _ended(text)
+            if link.transmission == "hex_ascii":
+                body = "".join(body.split())
+            _, end = link.marks(direction)
+            return _split_end(body.encode("latin-1", "replace"), ending.encode("latin-1"), end)
     return None
 
 
@@ -230,8 +234,9 @@ def _unmarked(text: str, links: Collection[Link]) -> tuple[bytes, str, tuple[str
 def _frame(text: str, links: Collection[Link]) -> tuple[bytes, tuple[str, ...]]:
     """The frame after times, labels and words, and remarks on what the text lacks of it."""
     text = text.lstrip(" \t")
+    openings = _openings(links)
     while text:
-        frame = in_characters(text, links)
+        frame = in_characters(text, openings)
         if frame is not None:
             return frame
         if is_each_enclosed(text) or unquoted(text) != text:

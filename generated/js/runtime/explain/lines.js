@@ -75,23 +75,26 @@ export function bytesOf(text) {
   return data;
 }
 
+/** The characters with which frames begin: the link, the direction and the characters of each. */
+function linesOpenings(links) {
+  return [...links].flatMap((link) => [...link.openings.entries()].map(([direction, mark]) => [link, direction, mark]));
+}
+
 /**
  * A frame that the text shows as characters, with a remark on what is missing at its end.
  *
- * None if the text does not begin like a frame of one of the links that send characters.
+ * None if the text does not begin like a frame.
  */
-export function inCharacters(text, links) {
+export function inCharacters(text, openings) {
   text = py.lstrip(unquoted(text));
-  for (const link of links) {
-    for (const [direction, mark] of link.openings.entries()) {
-      if (py.startswith(text, mark)) {
-        let [body, ending] = linesEnded(text);
-        if (link.transmission === "hex_ascii") {
-          body = py.join("", py.split(body));
-        }
-        const [, end] = link.marks(direction);
-        return linesSplitEnd(py.encode(body, "latin-1", "replace"), py.encode(ending, "latin-1"), end);
+  for (const [link, direction, mark] of openings) {
+    if (py.startswith(text, mark)) {
+      let [body, ending] = linesEnded(text);
+      if (link.transmission === "hex_ascii") {
+        body = py.join("", py.split(body));
       }
+      const [, end] = link.marks(direction);
+      return linesSplitEnd(py.encode(body, "latin-1", "replace"), py.encode(ending, "latin-1"), end);
     }
   }
   return null;
@@ -276,8 +279,9 @@ function linesUnmarked(text, links) {
 /** The frame after times, labels and words, and remarks on what the text lacks of it. */
 function linesFrame(text, links) {
   text = py.lstrip(text, " \t");
+  const openings = linesOpenings(links);
   while (text) {
-    const frame = inCharacters(text, links);
+    const frame = inCharacters(text, openings);
     if (frame != null) {
       return frame;
     }
