@@ -35,7 +35,7 @@ addresses."""
 
 
 def of_memories(texts: Sequence[str]) -> dict[str, str]:
-    """The texts that are places in the memory of a controller, such as `%I0.7`, each with the reason why it is not an address."""
+    """The texts that are places in the memory of a controller, such as `%I0.7`, with the reasons against them."""
     stripped = [text.strip() for text in texts]
     faults = [(cell, reason) for sign, cell, reason in _MEMORIES if any(map(sign.match, stripped))]
     return {text: reason for cell, reason in reversed(faults) for text in texts if cell.match(text.strip())}

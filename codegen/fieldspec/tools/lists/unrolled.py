@@ -1,4 +1,4 @@
-"""Lists whose rows are not single registers: matrices with an address in each cell, and registers side by side in columns."""
+"""Lists whose rows are not single registers: matrices with an address in each cell, and registers side by side."""
 
 from __future__ import annotations
 
