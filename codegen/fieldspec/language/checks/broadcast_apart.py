@@ -10,9 +10,8 @@ Fix: Correct the range or the address, and write an erratum if the manual prints
 
 from __future__ import annotations
 
-from fieldspec.language.checks.finding import Findings, finding, label
+from fieldspec.language.checks.finding import Findings, finding, label, type_text
 from fieldspec.language.model.device import Device
-from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.encoding import is_count
 
 
@@ -30,6 +29,5 @@ def broadcast_apart(device: Device) -> Findings:
         if value is None or not is_count(value.encoding):
             continue
         if not value.low <= stations.broadcast <= value.high:
-            kind = digits_text(value) if value.digits else value.type.name
-            text = f"the address {stations.broadcast} does not fit {kind}"
+            text = f"the address {stations.broadcast} does not fit {type_text(value)}"
             yield finding(stations.place, "broadcast", text, "correct the address or the type")
