@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Collection
 from decimal import Decimal
 from typing import Literal
 
@@ -12,6 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from explanation_rows import sent, shared_parts
 from fieldspec.codec.explain.explanation import Explanation, ExplanationRow, explained
 from fieldspec.codec.explain.values import decimal_text
 from fieldspec.codec.layout.device import DeviceLayout
@@ -46,27 +46,6 @@ def of(name: str, layout: DeviceLayout = WIDGET) -> Explanation:
 def row(explanation: Explanation, path: str) -> ExplanationRow:
     (match,) = [entry for entry in (*explanation.rows, *explanation.registers) if entry.path == path]
     return match
-
-
-def sent(explanation: Explanation, shared: Collection[str] = ()) -> bytes:
-    """The bytes of all rows as they are sent. Each row must start at the end of the one before it, but the rows of
-    `shared` parts have the same bytes as the one before it.
-    """
-    data = b""
-    for previous, row in zip((None, *explanation.rows), explanation.rows, strict=False):
-        if previous is not None and row.kind == "part" and row.path in shared:
-            assert (row.offset, row.length, row.raw) == (previous.offset, previous.length, previous.raw)
-            continue
-        assert row.offset == len(data)
-        characters = row.characters.encode("latin-1") or row.raw
-        data += characters if len(characters) == row.length else bytes.fromhex(row.characters)
-        assert row.offset + row.length == len(data)
-    return data
-
-
-def shared_parts(layout: DeviceLayout, link: str, direction: str) -> list[str]:
-    """The parts that have other bits of the bytes of the part before them."""
-    return [part.name for part in layout.links[link].link.parts(direction) if part.is_shared]
 
 
 def same(left: object, other: object) -> bool:
