@@ -47,8 +47,9 @@ def test_a_telegram_comes_back_by_its_class_its_name_and_its_number(
         *([message_layout.message.number] if message_layout.message.number else []),
     ]
     for name in known:
-        assert getattr(spoken, f"decode_{direction}")(frame, name).message.encode() == frame
-    assert type(message).decode(frame).encode() == frame
+        decoded = getattr(spoken, f"decode_{direction}")(frame, name).message
+        assert getattr(spoken, f"encode_{direction}")(decoded) == frame
+    assert type(message).decode(message.encode()).encode() == message.encode()
 
 
 @pytest.mark.proof(4)

@@ -11,7 +11,7 @@ from fieldspec.tools.captures.columns import Bytes, Mask, Numbers, number_at, nu
 
 
 def counts_at(buffer: Bytes, offsets: Numbers, inner: InnerList) -> Numbers:
-    """The numbers that count the lists of records that begin at some places; 0 for digits that are none."""
+    """The numbers that count the lists of records that begin at some places; 0 for bytes that are not digits."""
     place = offsets + inner.count_at
     if inner.count_order in ("big", "little"):
         return number_at(buffer, place, inner.count_size, inner.count_order)
