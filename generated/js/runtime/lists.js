@@ -88,7 +88,7 @@ function decidedExtent(inner, list, fields, extents) {
   const size = decidedBytes(list.decision, fields);
   if (size === undefined) return { fault: { reason: "unknown_value", at: placeAround(inner, extents, list.decision.at) } };
   const number = list.sentPlus === undefined ? size : sentNumber(list, fields);
-  if (number !== size && !(number >= 0 && number <= -size)) return { fault: numberFault(inner, extents, list) };
+  if (number < Math.max(size, 0) || number > Math.abs(size)) return { fault: numberFault(inner, extents, list) };
   const hasMark = isMarked(list.decision, fields);
   return { size: number, elements: [number], isText: size < 0 && !hasMark, hasMark };
 }

@@ -167,7 +167,7 @@ class InnerLists:
             if size is None:
                 return ListFault("unknown_value", self.place_in_data(extents, inner.decision.offset))
             number = size if inner.sent_plus is None else inner.sent_number_in(image)
-            is_right = number == size or 0 <= number <= -size
+            is_right = max(size, 0) <= number <= abs(size)
             return ListExtent(number, (number,)) if is_right else self._wrong_number(inner, extents)
         is_open = is_last and inner.continuation is None
         if inner.sent_plus is not None:

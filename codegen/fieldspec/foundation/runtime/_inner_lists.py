@@ -127,7 +127,7 @@ class InnerList:
         if self.sent_plus is None:
             return size
         number = self.sent_number(data, self.sent_plus)
-        if number != size and not 0 <= number <= -size:
+        if not max(size, 0) <= number <= abs(size):
             raise CodecError("wrong_measure", f"a value has {abs(size)} bytes, not {number}", place(self.at))
         return number
 
