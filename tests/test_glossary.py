@@ -153,8 +153,8 @@ def names_inside(path: Path) -> Iterator[tuple[int, str]]:
 
 
 def bare_names(name: str) -> list[str]:
-    """The places in a folder of the compiler of names inside functions that are a bare word; not in copied Python."""
-    files = [path for path in FILES[name] if PACKAGE in path.parents and "runtime" not in path.parts]
+    """The places in a folder of the compiler of names inside functions that are a bare word."""
+    files = [path for path in FILES[name] if PACKAGE in path.parents]
     return [
         f"{path.relative_to(ROOT).as_posix()}:{line}: {bound}"
         for path in files

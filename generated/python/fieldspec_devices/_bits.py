@@ -58,9 +58,9 @@ class BitArray(RegisterArray[bool]):
     __slots__ = ("all",)
 
     def __init__(
-        self, name: str, address: int, words: int, value: Value[bool], access: str = "", *, count: int, **more: Any
+        self, name: str, address: int, words: int, value: Value[bool], access: str = "", *, count: int, **options: Any
     ) -> None:
-        super().__init__(name, address, words, value, access, count=count, **more)
+        super().__init__(name, address, words, value, access, count=count, **options)
         single = self[self.first]
         self.all = Register(
             name,
@@ -82,9 +82,9 @@ def packed_bits(bits: Sequence[int]) -> list[int]:
     return list(number.to_bytes((len(bits) + 7) // 8, "little"))
 
 
-def unpacked_bits(register: Register[Any], most: int, groups: Sequence[Sequence[int]]) -> list[int]:
-    """The bits of a register from the bytes of responses with at most `most` bits each. Raises CodecError."""
-    parts = spans(register, most)
+def unpacked_bits(register: Register[Any], maximum: int, groups: Sequence[Sequence[int]]) -> list[int]:
+    """The bits of a register from the bytes of responses with at most `maximum` bits each. Raises CodecError."""
+    parts = spans(register, maximum)
     if len(groups) != len(parts):
         raise CodecError("wrong_length", f"{register.name} takes {len(parts)} responses, not {len(groups)}")
     bits: list[int] = []

@@ -167,4 +167,4 @@ class Avoiding:
 
 def _numbers(data: Data, unit: int, order: Literal["big", "little"]) -> list[int]:
     filled = bytes(data) + bytes(-len(data) % unit)
-    return [int.from_bytes(filled[at : at + unit], order) for at in range(0, len(filled), unit)]
+    return [int.from_bytes(filled[offset : offset + unit], order) for offset in range(0, len(filled), unit)]

@@ -98,8 +98,8 @@ class Link:
                 return False
             return bool(reply.code == (_response_code(request) if self.refusal_code is None else self.refusal_code))
         kind = request.__class__
-        for asked, answered in self.repeated.get(kind, ()):
-            if getattr(reply.message, answered) != getattr(request, asked):
+        for request_name, response_name in self.repeated.get(kind, ()):
+            if getattr(reply.message, response_name) != getattr(request, request_name):
                 return False
         counts = self.value_counts.get(kind)
         if counts is None:
@@ -153,14 +153,14 @@ class Session:
         """
         if request.__class__ in self.link.unanswered:
             raise InvalidValueError(f"{request.__class__.__name__} has no response on this link: use `send`")
-        again = self.retries if retries is None else retries
+        retries_left = self.retries if retries is None else retries
         while True:
             try:
                 return (yield from self._exchanged(request))
             except NoAnswerError:
-                if again <= 0:
+                if retries_left <= 0:
                     raise
-            again -= 1
+            retries_left -= 1
 
     def send(self, request: Any, unit_address: int | None = None) -> Work[None]:
         """Sends a request without a response. Raises InvalidValueError and TransportError."""

@@ -182,8 +182,8 @@ class RegisterWork:
             return
         for single in block:
             size = single.unit_size
-            at = size * (single.address - register.address)
-            values.add(single, _decoded(single.decode, content[at : at + size * single.words]))
+            offset = size * (single.address - register.address)
+            values.add(single, _decoded(single.decode, content[offset : offset + size * single.words]))
 
 
 def _single(register: Register[T]) -> Register[T]:
@@ -202,8 +202,8 @@ def _whole(block: list[Register[Any]]) -> Register[Any]:
     words = max(register.address + register.words for register in block) - first.address
     size = first.unit_size * words
     value: Any = Bytes(f"{size}s", size)
-    more: dict[str, Any] = {"order": first.order, "space": first.space, "unit_size": first.unit_size}
-    return Register(first.name, first.address, words, value, **more)
+    options: dict[str, Any] = {"order": first.order, "space": first.space, "unit_size": first.unit_size}
+    return Register(first.name, first.address, words, value, **options)
 
 
 class ParameterAccess:
@@ -310,16 +310,16 @@ def _function(owner: Any, name: str, title: str) -> Any:
     return function
 
 
-def _encoded(encode: Any, *arguments: Any, **named: Any) -> Any:
+def _encoded(encode: Any, *arguments: Any, **options: Any) -> Any:
     """The result of a function that encodes. Raises InvalidValueError."""
     try:
-        return encode(*arguments, **named)
+        return encode(*arguments, **options)
     except CodecError as error:
         raise InvalidValueError(str(error)) from error
 
 
-def _decoded(decode: Any, *arguments: Any, **named: Any) -> Any:
+def _decoded(decode: Any, *arguments: Any, **options: Any) -> Any:
     try:
-        return decode(*arguments, **named)
+        return decode(*arguments, **options)
     except CodecError as error:
         raise InvalidAnswerError(str(error)) from error

@@ -11,9 +11,9 @@ if TYPE_CHECKING:
 
 def by_printed_name(enum: str, members: Mapping[int, R], names: Mapping[int, str], text: str) -> R:
     """The member with a printed name, in capital or small letters. Raises CodecError."""
-    wanted = text.strip().casefold()
+    folded_text = text.strip().casefold()
     for value, name in names.items():
-        if name.casefold() == wanted:
+        if name.casefold() == folded_text:
             return members[value]
     raise CodecError("unknown_value", f"{enum} has no member that is printed as {text!r}")
 

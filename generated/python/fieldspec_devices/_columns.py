@@ -81,7 +81,7 @@ class Column:
         if self.order == "big":
             places.reverse()
         if self.swapped:
-            places = [place for at in range(0, width, 2) for place in places[width - 2 - at : width - at]]
+            places = [place for offset in range(0, width, 2) for place in places[width - 2 - offset : width - offset]]
         return [self.offset + element * width + place for place in places]
 
 
@@ -119,6 +119,6 @@ def _joined_bytes(column: Column, values: np.ndarray[Any, Any]) -> np.ndarray[An
 
     kind = f"u{column.size + column.padding}"
     places = [place - column.offset for place in column.places()]
-    shifts = numpy.array([8 * places.index(at) for at in range(column.size)], dtype=kind)
+    shifts = numpy.array([8 * places.index(offset) for offset in range(column.size)], dtype=kind)
     joined: np.ndarray[Any, Any] = numpy.bitwise_or.reduce(values.astype(kind) << shifts, axis=-1).astype(kind)
     return joined

@@ -132,54 +132,54 @@ def turned(data: bytes) -> bytes:
     return bytes(mixed)
 
 
-def text(name: str, raw: bytes, at: int) -> str:
+def text(name: str, raw: bytes, offset: int) -> str:
     """The ASCII characters before the zeros that fill the field. Raises CodecError."""
     try:
         return raw.rstrip(b"\0").decode("ascii")
     except UnicodeDecodeError:
-        raise CodecError("unknown_value", f"{name} holds bytes that are not ASCII", at) from None
+        raise CodecError("unknown_value", f"{name} holds bytes that are not ASCII", offset) from None
 
 
-def texts(name: str, raws: Sequence[bytes], at: int, size: int) -> list[str]:
-    """The texts of a list, whose elements have `size` bytes each from byte `at` on. Raises CodecError."""
-    return [text(name, raw, at + number * size) for number, raw in enumerate(raws)]
+def texts(name: str, raws: Sequence[bytes], offset: int, size: int) -> list[str]:
+    """The texts of a list, whose elements have `size` bytes each from byte `offset` on. Raises CodecError."""
+    return [text(name, raw, offset + number * size) for number, raw in enumerate(raws)]
 
 
-def members(name: str, raws: Sequence[int], table: dict[int, R], enum: str, at: int, size: int) -> list[R]:
+def members(name: str, raws: Sequence[int], table: dict[int, R], enum: str, offset: int, size: int) -> list[R]:
     """The members of a closed enum. Raises CodecError."""
     try:
         return [table[raw] for raw in raws]
     except KeyError:
         number = next(number for number, raw in enumerate(raws) if raw not in table)
-        raise unknown_member(name, raws[number], enum, at + number * size) from None
+        raise unknown_member(name, raws[number], enum, offset + number * size) from None
 
 
-def booleans(name: str, raws: Sequence[int], at: int, size: int) -> list[bool]:
+def booleans(name: str, raws: Sequence[int], offset: int, size: int) -> list[bool]:
     """Booleans. Raises CodecError for numbers above 1."""
     for number, raw in enumerate(raws):
         if raw > 1:
-            raise no_boolean(name, raw, at + number * size)
+            raise no_boolean(name, raw, offset + number * size)
     return [raw == 1 for raw in raws]
 
 
-def constants(name: str, raws: Sequence[int], const: int, at: int, size: int) -> None:
+def constants(name: str, raws: Sequence[int], const: int, offset: int, size: int) -> None:
     """Raises CodecError unless all elements are equal to a constant."""
     for number, raw in enumerate(raws):
         if raw != const:
-            raise wrong_const(name, raw, const, at + number * size)
+            raise wrong_const(name, raw, const, offset + number * size)
 
 
-def decoded_at(record: type[Part], data: Data, at: int) -> Part:
-    """The record at byte `at` of another one. Raises CodecError with the offset in the whole."""
+def decoded_at(record: type[Part], data: Data, offset: int) -> Part:
+    """The record at byte `offset` of another one. Raises CodecError with the offset in the whole."""
     try:
         return record.decode(data)
     except CodecError as error:
-        raise error.shifted(at) from None
+        raise error.shifted(offset) from None
 
 
-def decoded_each(record: type[Part], raws: Sequence[bytes], at: int, size: int) -> list[Part]:
-    """Consecutive records of `size` bytes from byte `at` on. Raises CodecError with the offset in the whole."""
-    return [decoded_at(record, raw, at + number * size) for number, raw in enumerate(raws)]
+def decoded_each(record: type[Part], raws: Sequence[bytes], offset: int, size: int) -> list[Part]:
+    """Consecutive records of `size` bytes from byte `offset` on. Raises CodecError with the offset in the whole."""
+    return [decoded_at(record, raw, offset + number * size) for number, raw in enumerate(raws)]
 
 
 def counts(name: str, value: Quantity, ratio: tuple[int, int, int], ranges: tuple[tuple[int, int], ...]) -> int:
@@ -190,12 +190,12 @@ def counts(name: str, value: Quantity, ratio: tuple[int, int, int], ranges: tupl
     """
     a, b, c = ratio
     try:
-        over, under = value.as_integer_ratio()
+        numerator, under = value.as_integer_ratio()
     except (ValueError, OverflowError):
         raise CodecError("out_of_range", f"{name} is {value}") from None
     except AttributeError:
         raise CodecError("wrong_type", f"{name} is a number, not {value!r}") from None
-    whole, rest = divmod(over * c - b * under, under * a)
+    whole, rest = divmod(numerator * c - b * under, under * a)
     double = 2 * rest - under * a
     if a < 0:
         double = -double

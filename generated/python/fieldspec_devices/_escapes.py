@@ -31,29 +31,29 @@ class Replace:
 
     def original(self, data: Data, offset: int) -> bytes:
         """The bytes for which others were sent; `offset` is the place of these. Raises CodecError."""
-        result, at = bytearray(), 0
-        while at < len(data):
-            byte = data[at]
+        result, index = bytearray(), 0
+        while index < len(data):
+            byte = data[index]
             if byte in self.special:
-                original = self.originals.get(bytes(data[at : at + 2]))
+                original = self.originals.get(bytes(data[index : index + 2]))
                 if original is None:
-                    raise CodecError("wrong_mark", "a byte is not escaped, or the escape means nothing", offset + at)
+                    raise CodecError("wrong_mark", "a byte is not escaped, or the escape means nothing", offset + index)
                 result.append(original)
-                at += 2
+                index += 2
             else:
                 result.append(byte)
-                at += 1
+                index += 1
         return bytes(result)
 
-    def end(self, data: bytearray, at: int, end: bytes) -> int:
+    def end(self, data: bytearray, offset: int, end: bytes) -> int:
         """The place of the end delimiter, -1 where it is not there yet: no escaped byte belongs to it."""
-        while at < len(data):
-            if bytes(data[at : at + 2]) in self.originals:
-                at += 2
-            elif data.startswith(end, at):
-                return at
+        while offset < len(data):
+            if bytes(data[offset : offset + 2]) in self.originals:
+                offset += 2
+            elif data.startswith(end, offset):
+                return offset
             else:
-                at += 1
+                offset += 1
         return -1
 
 
@@ -72,19 +72,21 @@ class Insert:
 
     def original(self, data: Data, offset: int) -> bytes:
         """The bytes for which others were sent; `offset` is the place of these. Raises CodecError."""
-        data, result, at = bytes(data), bytearray(), 0
+        data, result, index = bytes(data), bytearray(), 0
         # The inserted byte may itself begin the pattern, which is searched for after it.
-        while (begin := data.find(self.pattern, at)) >= 0:
-            behind = begin + len(self.pattern)
-            if data[behind : behind + 1] != self.stuffed[-1:]:
-                raise CodecError("wrong_mark", f"{self.inserted:#04x} is missing after the pattern", offset + behind)
-            result += data[at:behind]
-            at = behind + 1
-        return bytes(result + data[at:])
+        while (begin := data.find(self.pattern, index)) >= 0:
+            next_offset = begin + len(self.pattern)
+            if data[next_offset : next_offset + 1] != self.stuffed[-1:]:
+                raise CodecError(
+                    "wrong_mark", f"{self.inserted:#04x} is missing after the pattern", offset + next_offset
+                )
+            result += data[index:next_offset]
+            index = next_offset + 1
+        return bytes(result + data[index:])
 
-    def end(self, data: bytearray, at: int, end: bytes) -> int:
+    def end(self, data: bytearray, offset: int, end: bytes) -> int:
         """The place of the end delimiter, -1 where it is not there yet."""
-        return data.find(end, at)
+        return data.find(end, offset)
 
 
 class Add:
@@ -104,9 +106,9 @@ class Add:
         """The bytes for which others were sent; `offset` is the place of these."""
         return bytes(data).translate(self.taken)
 
-    def end(self, data: bytearray, at: int, end: bytes) -> int:
+    def end(self, data: bytearray, offset: int, end: bytes) -> int:
         """The place of the end delimiter, -1 where it is not there yet."""
-        return data.find(end, at)
+        return data.find(end, offset)
 
 
 class Cobs:
@@ -132,27 +134,27 @@ class Cobs:
 
     def original(self, data: Data, offset: int) -> bytes:
         """The bytes for which others were sent; `offset` is the place of these. Raises CodecError."""
-        result, at = bytearray(), 0
-        while at < len(data) or not data:
-            code = data[at] if data else 0
-            block = data[at + 1 : at + code]
+        result, index = bytearray(), 0
+        while index < len(data) or not data:
+            code = data[index] if data else 0
+            block = data[index + 1 : index + code]
             if not code or len(block) < code - 1 or 0 in block:
-                raise CodecError("wrong_mark", f"the block of {code} bytes is not complete", offset + at)
+                raise CodecError("wrong_mark", f"the block of {code} bytes is not complete", offset + index)
             result += block
-            at += code
-            if code < 0xFF and at < len(data):
+            index += code
+            if code < 0xFF and index < len(data):
                 result.append(0)
         return bytes(result)
 
-    def end(self, data: bytearray, at: int, end: bytes) -> int:
+    def end(self, data: bytearray, offset: int, end: bytes) -> int:
         """The place of the end delimiter, -1 where it is not there yet."""
-        return data.find(end, at)
+        return data.find(end, offset)
 
 
 class EscapedFrames(PartFrames):
     """Frames whose parts are escaped from `first` to `last`, the bounds of a slice.
 
-    The lengths and checksums at the places `sent` apply to the sent bytes, those at `own` do not.
+    The lengths and checksums at the places `sent_codes` apply to the sent bytes, those at `own` do not.
     """
 
     __slots__ = ("escape", "first", "last", "own", "sent")
@@ -162,11 +164,11 @@ class EscapedFrames(PartFrames):
         escape: Replace | Insert | Add | Cobs | CanIdentifier,
         first: int,
         last: int | None,
-        sent: frozenset[int],
+        sent_codes: frozenset[int],
         own: frozenset[int],
     ) -> EscapedFrames:
         """The same frames with their escape."""
-        self.escape, self.first, self.last, self.sent, self.own = escape, first, last, sent, own
+        self.escape, self.first, self.last, self.sent, self.own = escape, first, last, sent_codes, own
         return self
 
     @property
@@ -177,8 +179,8 @@ class EscapedFrames(PartFrames):
         """The parts before they were escaped. Raises CodecError for a wrong length or checksum around them."""
         size = len(data)
         if size < self.head_size + self.tail_size:
-            least = self.head_size + self.tail_size
-            raise CodecError("incomplete", f"a frame has at least {least} bytes, not {size}", size)
+            minimum = self.head_size + self.tail_size
+            raise CodecError("incomplete", f"a frame has at least {minimum} bytes, not {size}", size)
         numbers = self._numbers(data)
         early = [place for place, *_ in self.lengths if place in self.sent and place in self.digits]
         wrong = self._no_digits(data, numbers, early)
@@ -204,17 +206,18 @@ class EscapedFrames(PartFrames):
 class EscapeFramer(Framer):
     """For frames whose end delimiter does not occur among their bytes, because these are escaped.
 
-    `shortest` and `longest` are the sizes without the bytes that escaping adds; `most` is the greatest size with them.
+    `shortest` and `longest` are the sizes without the bytes that escaping adds; `maximum` is the greatest size with
+    them.
     """
 
-    def __init__(self, frames: EscapedFrames, *, most: int, **common: Any) -> None:
-        self.escaped_frames, self.most = frames, most
+    def __init__(self, frames: EscapedFrames, *, maximum: int, **common: Any) -> None:
+        self.escaped_frames, self.most = frames, maximum
         super().__init__(frames, **common)
 
     def _prepare(self) -> None:
         """Delimiters are searched literally, so there is nothing to prepare."""
 
-    def _extent(self, buffer: bytearray, at: int) -> int:
+    def _extent(self, buffer: bytearray, offset: int) -> int:
         return -1
 
     def feed(self, data: Data) -> list[bytes]:
@@ -222,34 +225,34 @@ class EscapeFramer(Framer):
         buffer, start, end = self._buffer, self.frames.start, self.frames.end
         buffer += data
         frames: list[bytes] = []
-        at = 0
-        while at < len(buffer):
-            if start and not buffer.startswith(start, at):
-                begins = buffer.find(start, at)
-                if begins < 0:
-                    begins = max(at, len(buffer) - len(start) + 1)
-                    self.dropped += begins - at
-                    at = begins
+        offset = 0
+        while offset < len(buffer):
+            if start and not buffer.startswith(start, offset):
+                first = buffer.find(start, offset)
+                if first < 0:
+                    first = max(offset, len(buffer) - len(start) + 1)
+                    self.dropped += first - offset
+                    offset = first
                     break
-                self.dropped += begins - at
-                at = begins
-            close = self.escaped_frames.escape.end(buffer, at + len(start), end)
+                self.dropped += first - offset
+                offset = first
+            close = self.escaped_frames.escape.end(buffer, offset + len(start), end)
             if close < 0:
-                if len(buffer) - at <= self.most:
+                if len(buffer) - offset <= self.most:
                     break
                 self.dropped += 1
-                at += 1
+                offset += 1
                 continue
-            frame = bytes(buffer[at : close + len(end)])
+            frame = bytes(buffer[offset : close + len(end)])
             if self._holds(frame):
                 frames.append(frame)
-                at = close + len(end)
+                offset = close + len(end)
             else:
                 # What ends bytes that are not a frame may begin one, or the frame may begin later.
-                behind = at + 1 if start else close + len(end)
-                self.dropped += behind - at
-                at = behind
-        del buffer[:at]
+                next_offset = offset + 1 if start else close + len(end)
+                self.dropped += next_offset - offset
+                offset = next_offset
+        del buffer[:offset]
         return frames
 
     def idle(self) -> list[bytes]:

@@ -93,31 +93,31 @@ class Framer:
         buffer = self._buffer
         buffer += data
         frames: list[bytes] = []
-        at, size, shortest = 0, len(buffer), self.shortest
-        while size - at >= shortest:
-            extent = self._extent(buffer, at)
-            if at + extent > size:
+        offset, size, shortest = 0, len(buffer), self.shortest
+        while size - offset >= shortest:
+            extent = self._extent(buffer, offset)
+            if offset + extent > size:
                 break
             if extent < 0:
-                if size - at <= self.longest:
+                if size - offset <= self.longest:
                     break
-            elif extent and self._holds(frame := bytes(buffer[at : at + extent])):
+            elif extent and self._holds(frame := bytes(buffer[offset : offset + extent])):
                 frames.append(self._led(frame) if self._lead else frame)
-                at += extent
+                offset += extent
                 continue
-            seen = self._search(buffer, at + 1)
-            begins = max(at, size - self._width) + 1 if seen is None else seen.start()
-            self._drop(buffer, at, begins)
-            at = begins
-        del buffer[:at]
+            match = self._search(buffer, offset + 1)
+            first = max(offset, size - self._width) + 1 if match is None else match.start()
+            self._drop(buffer, offset, first)
+            offset = first
+        del buffer[:offset]
         return frames
 
-    def _drop(self, buffer: bytearray, at: int, begins: int) -> None:
+    def _drop(self, buffer: bytearray, offset: int, first: int) -> None:
         """Counts bytes that belong to no frame, without the last ones that may belong to a preamble."""
-        self.dropped += begins - at
+        self.dropped += first - offset
         if self.frames.preamble is not None:
             byte, _, _, spare = self.frames.preamble
-            before, data = self._lead, bytes(buffer[at:begins])
+            before, data = self._lead, bytes(buffer[offset:first])
             run = len(data) - len(data.rstrip(bytes((byte,))))
             self._lead = min(run + (before if run == len(data) else 0), spare)
             self.dropped += before - self._lead
@@ -158,8 +158,8 @@ class Framer:
     def missing(self) -> int:
         """How many bytes the next frame still needs, as far as its beginning shows it; 1 at the least."""
         size = len(self._buffer)
-        needed = self.shortest if size < self.shortest else self._extent(self._buffer, 0)
-        return max(1, needed - size)
+        expected_size = self.shortest if size < self.shortest else self._extent(self._buffer, 0)
+        return max(1, expected_size - size)
 
     @property
     def ends_with_silence(self) -> bool:
@@ -174,42 +174,42 @@ class Framer:
         size = len(self._buffer)
         return size >= self.shortest and self._extent(self._buffer, 0) < 0
 
-    def _extent(self, buffer: bytearray, at: int) -> int:
+    def _extent(self, buffer: bytearray, offset: int) -> int:
         """The length of the frame that seems to begin at a byte: 0 for none, -1 where it is unknown.
 
         Where too few bytes are there, it is the number of those that are needed to determine it.
         """
         raise NotImplementedError
 
-    def _goes_on(self, buffer: bytearray, at: int) -> bool:
+    def _goes_on(self, buffer: bytearray, offset: int) -> bool:
         """Whether a preamble continues after its least bytes, so that no frame begins with the first bytes."""
         preamble = self.frames.preamble
-        return preamble is not None and buffer[at + preamble[1]] == preamble[0]
+        return preamble is not None and buffer[offset + preamble[1]] == preamble[0]
 
     @staticmethod
-    def _number(buffer: bytearray, at: int, size: int, little: bool) -> int:
+    def _number(buffer: bytearray, offset: int, size: int, little: bool) -> int:
         if size == 1:
-            return buffer[at]
-        return int.from_bytes(buffer[at : at + size], "little" if little else "big")
+            return buffer[offset]
+        return int.from_bytes(buffer[offset : offset + size], "little" if little else "big")
 
-    def _read(self, buffer: bytearray, at: int, size: int, form: Digits | Bits | None, little: bool) -> int:
+    def _read(self, buffer: bytearray, offset: int, size: int, form: Digits | Bits | None, little: bool) -> int:
         """The number of some bytes, or of some bits; for bytes that are not digits, one that no part of a frame has."""
         if form is None:
-            return self._number(buffer, at, size, little)
+            return self._number(buffer, offset, size, little)
         if isinstance(form, tuple):
-            return self._number(buffer, at, size, little) >> form[0] & (1 << form[1]) - 1
-        (number,) = form.unpack(buffer[at : at + size])
+            return self._number(buffer, offset, size, little) >> form[0] & (1 << form[1]) - 1
+        (number,) = form.unpack(buffer[offset : offset + size])
         return _NO_DIGITS if number is None else number
 
-    def _foreign(self, buffer: bytearray, at: int) -> bool:
+    def _foreign(self, buffer: bytearray, offset: int) -> bool:
         """Whether the parts that begin at a byte have an invalid unit address."""
         if not self.unit_addresses:
             return False
-        at += self.unit_address_offset
+        offset += self.unit_address_offset
         # Nearly all addresses are one byte; a call for each would take as long as all the rest.
         if self._address_is_byte:
-            return buffer[at] not in self.unit_addresses
-        number = self._read(buffer, at, self.unit_address_size, self._address_form, self.little)
+            return buffer[offset] not in self.unit_addresses
+        number = self._read(buffer, offset, self.unit_address_size, self._address_form, self.little)
         return number not in self.unit_addresses
 
     def _holds(self, frame: bytes) -> bool:
@@ -243,21 +243,21 @@ class LengthFramer(Framer):
         known = super()._known()
         if self.length_size == 1:
             start, end = len(self.frames.start), len(self.frames.end)
-            least, most = self.shortest - start - end, min(self.longest - start - end, 255)
-            known[start + self.length_offset] = frozenset(range(least, most + 1))
+            minimum, maximum = self.shortest - start - end, min(self.longest - start - end, 255)
+            known[start + self.length_offset] = frozenset(range(minimum, maximum + 1))
         return known
 
-    def _extent(self, buffer: bytearray, at: int) -> int:
+    def _extent(self, buffer: bytearray, offset: int) -> int:
         extent = 0
         if self._marked:
             start = self.frames.start
-            if not buffer.startswith(start, at) or self._goes_on(buffer, at):
+            if not buffer.startswith(start, offset) or self._goes_on(buffer, offset):
                 return 0
-            at += len(start)
+            offset += len(start)
             extent = len(start) + len(self.frames.end)
-        if self._foreign(buffer, at):
+        if self._foreign(buffer, offset):
             return 0
-        place, size = at + self.length_offset, self.length_size
+        place, size = offset + self.length_offset, self.length_size
         extent += buffer[place] if size == 1 else self._number(buffer, place, size, self._length_is_little)
         return extent if self.shortest <= extent <= self.longest else 0
 
@@ -305,37 +305,37 @@ class CodeFramer(Framer):
             known[len(self.frames.start) + self.code_offset] = codes
         return known
 
-    def _extent(self, buffer: bytearray, at: int) -> int:
-        begins = at
+    def _extent(self, buffer: bytearray, offset: int) -> int:
+        first = offset
         if self._marked:
-            if not buffer.startswith(self.frames.start, at):
+            if not buffer.startswith(self.frames.start, offset):
                 return 0
-            at += len(self.frames.start)
-        place = at + self.code_offset
+            offset += len(self.frames.start)
+        place = offset + self.code_offset
         if self._code_is_byte:
             code = buffer[place]
         else:
             code = self._read(buffer, place, self.code_size, self._code_form, self._code_is_little)
         extent: Extent | None = self.refusal if code & self.flag else self.extents.get(code)
         if extent is None and code in self.subcodes:
-            offset, size, order, extents = self.subcodes[code]
-            place = at + offset
+            subcode_offset, size, order, extents = self.subcodes[code]
+            place = offset + subcode_offset
             if place + size > len(buffer):
-                return 0 if self._foreign(buffer, at) else place + size - begins
+                return 0 if self._foreign(buffer, offset) else place + size - first
             extent = extents.get(self._number(buffer, place, size, order == "little"))
-        if extent is None or self._foreign(buffer, at):
+        if extent is None or self._foreign(buffer, offset):
             return 0
         length, size = extent[0], extent[2]
         if size == 0:
             return length
         if size == -2:
-            end = buffer.find(self.frames.end, begins + length - len(self.frames.end))
-            return end - begins + len(self.frames.end) if end >= 0 else -1
+            end = buffer.find(self.frames.end, first + length - len(self.frames.end))
+            return end - first + len(self.frames.end) if end >= 0 else -1
         if size < 0:
             return -1
-        place = at + extent[1]
+        place = offset + extent[1]
         if place + size > len(buffer):
-            return place + size - begins
+            return place + size - first
         length += (buffer[place] if size == 1 else self._measure(buffer, place, extent)) * extent[3]
         return length if self.shortest <= length <= self.longest else 0
 

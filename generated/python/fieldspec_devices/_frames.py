@@ -131,9 +131,9 @@ class Frames:
     def unmarked(self, frame: Data) -> Data:
         """A frame without its delimiters, as bytes instead of characters. Raises CodecError."""
         if self.preamble is not None:
-            byte, least, _, spare = self.preamble
+            byte, minimum, _, spare = self.preamble
             run = len(frame) - len(bytes(frame).lstrip(bytes((byte,))))
-            frame = frame[max(0, min(run - least, spare)) :]
+            frame = frame[max(0, min(run - minimum, spare)) :]
         first, last = len(self.start), len(frame) - len(self.end)
         if frame[:first] != self.start:
             raise CodecError("wrong_mark", f"the frame does not start with {self.start.hex(' ')}", 0)
@@ -145,10 +145,10 @@ class Frames:
         try:
             return unhexlify(inner)
         except HexError:
-            for at, byte in enumerate(inner):
+            for offset, byte in enumerate(inner):
                 if byte not in b"0123456789ABCDEFabcdef":
                     text = f"byte {byte:#04x} is not a hexadecimal character"
-                    raise CodecError("not_hex", text, first + at) from None
+                    raise CodecError("not_hex", text, first + offset) from None
             raise CodecError("wrong_length", "an odd number of characters", last) from None
 
     def marked(self, data: bytes) -> bytes:
@@ -173,25 +173,27 @@ class Frames:
             return True
         if self.vanishes:
             return not algorithm(data)
-        at = len(data) - self.tail_size
-        return algorithm(data[:at]) == int.from_bytes(data[at:], self.check_order)
+        offset = len(data) - self.tail_size
+        return algorithm(data[:offset]) == int.from_bytes(data[offset:], self.check_order)
 
     def split(self, data: Data) -> tuple[tuple[int, ...], Data]:
         """The header and the body of the parts of a frame. Raises CodecError for a wrong length or checksum."""
         size = len(data)
         if size < self.head_size + self.tail_size:
-            least = self.head_size + self.tail_size
-            raise CodecError("incomplete", f"a frame has at least {least} bytes, not {size}", size)
+            minimum = self.head_size + self.tail_size
+            raise CodecError("incomplete", f"a frame has at least {minimum} bytes, not {size}", size)
         head = self.head.unpack_from(data)
         if self.length >= 0 and head[self.length] != size:
             text = f"{self.length_name} is {head[self.length]}, but the frame has {size} bytes"
             raise CodecError("wrong_length", text, self.length_offset)
         if self.algorithm is not None:
-            at = size - self.tail_size
-            have, want = int.from_bytes(data[at:], self.check_order), self.algorithm(data[:at])
-            if have != want:
+            check_offset = size - self.tail_size
+            received, want = int.from_bytes(data[check_offset:], self.check_order), self.algorithm(data[:check_offset])
+            if received != want:
                 width = 2 * self.tail_size
-                raise CodecError("wrong_checksum", f"the check is {have:0{width}X}, not {want:0{width}X}", at)
+                raise CodecError(
+                    "wrong_checksum", f"the check is {received:0{width}X}, not {want:0{width}X}", check_offset
+                )
         for place, name, const, offset in self.constants:
             if head[place] != const:
                 raise wrong_const(name, head[place], const, offset)
@@ -210,16 +212,16 @@ class Frames:
         return self.marked(data)
 
     def message(
-        self, classes: dict[int, Any], code: int, body: Data, wanted: int | None = None, answer: Any = None
+        self, classes: dict[int, Any], code: int, body: Data, expected_code: int | None = None, answer: Any = None
     ) -> Any:
-        """The data of the message with a code, which must be the `wanted` one, if any. Raises CodecError.
+        """The data of the message with a code, which must be the `expected_code`, if any. Raises CodecError.
 
         Where several messages share the code, the class must be `answer`, if there is one.
         """
         message_class = classes.get(code)
         if message_class is None:
             raise CodecError("unknown_code", f"no message has the code {code:#04x}", self.code_offset)
-        if wanted is not None and wanted != code:
+        if expected_code is not None and expected_code != code:
             raise CodecError("unknown_code", f"the code {code:#04x} answers another request", self.code_offset)
         if not isinstance(message_class, type):
             message_class = message_class.of(body, self.head_size, self.code_offset, answer)

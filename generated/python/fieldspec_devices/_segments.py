@@ -64,10 +64,11 @@ class Segments:
 
     `first` makes the request that begins to write, from the parameter, the sub-index and the number of bytes. `piece`
     is the request of a piece, with the `fields` that are always the same. Where a value is read, pieces follow a
-    response whose field `by` has one of `numbers`; with those in `unsized`, the field `size` has no meaning. `data` is
-    the field with a piece, of `length` bytes. `asked` and `answered` count the pieces in the two directions. A value of
-    one of the `whole` numbers of bytes is written by a message alone. `abort` makes the request that ends a transfer,
-    from the request that began and one of the `reasons`, which are by their causes; None where there is none.
+    response whose field `number_name` has one of `numbers`; with those in `unsized`, the field `size` has no meaning.
+    `data` is the field with a piece, of `length` bytes. `request_place` and `response_place` count the pieces in the
+    two directions. A value of one of the `whole` numbers of bytes is written by a message alone. `abort` makes the
+    request that ends a transfer, from the request that began and one of the `reasons`, which are by their causes; None
+    where there is none.
     """
 
     def __init__(
@@ -78,13 +79,13 @@ class Segments:
         *,
         first: Any = None,
         fields: Mapping[str, int] | None = None,
-        by: str = "",
+        number_name: str = "",
         numbers: tuple[int, ...] = (),
         unsized: tuple[int, ...] = (),
         size: str = "",
         order: Literal["big", "little"] = "big",
-        asked: Place | None = None,
-        answered: Place | None = None,
+        request_place: Place | None = None,
+        response_place: Place | None = None,
         unused: Place | None = None,
         last: Place | None = None,
         whole: tuple[int, ...] = (),
@@ -92,19 +93,25 @@ class Segments:
         reasons: Mapping[str, int] | None = None,
     ) -> None:
         self.piece, self.data, self.length, self.first, self.fields = piece, data, length, first, dict(fields or {})
-        self.by, self.numbers, self.unsized, self.size = by, numbers, unsized, size
+        self.by, self.numbers, self.unsized, self.size = number_name, numbers, unsized, size
         self.order: Literal["big", "little"] = order
-        self.asked, self.answered, self.unused, self.last, self.whole = asked, answered, unused, last, whole
+        self.asked, self.answered, self.unused, self.last, self.whole = (
+            request_place,
+            response_place,
+            unused,
+            last,
+            whole,
+        )
         self.abort, self.reasons = abort, dict(reasons or {})
 
     def follows(self, response: Any) -> bool:
         """Whether pieces follow a response."""
         return index(getattr(response, self.by)) in self.numbers
 
-    def read(self, session: Session, first: Any, response: Any, most: int) -> Work[bytes]:
-        """The segmented value that follows the response to the request `first`, of at most `most` bytes."""
+    def read(self, session: Session, first: Any, response: Any, maximum: int) -> Work[bytes]:
+        """The segmented value that follows the response to the request `first`, of at most `maximum` bytes."""
         try:
-            content = yield from self._read(session, response, most)
+            content = yield from self._read(session, response, maximum)
         except PieceError as error:
             yield from self._end(session, first, error)
             raise InvalidAnswerError(str(error)) from error
@@ -115,10 +122,10 @@ class Segments:
         if self.abort is not None:
             yield from session.send(self.abort(first, self.reasons[error.cause]))
 
-    def _read(self, session: Session, response: Any, most: int) -> Work[bytes]:
+    def _read(self, session: Session, response: Any, maximum: int) -> Work[bytes]:
         size = self._size(response)
-        if size is not None and size > most:
-            raise PieceError("size", f"the device has {size} bytes, more than {most}")
+        if size is not None and size > maximum:
+            raise PieceError("size", f"the device has {size} bytes, more than {maximum}")
         content = b""
         count = 0
         while True:
@@ -127,8 +134,8 @@ class Segments:
             self._check_count(message, count)
             content += self._content(message, size, len(content))
             is_last = self.last.number(message) == 1 if self.last is not None else len(content) >= (size or 0)
-            if len(content) > (most if size is None else size):
-                raise PieceError("size", f"more than {most if size is None else size} bytes came")
+            if len(content) > (maximum if size is None else size):
+                raise PieceError("size", f"more than {maximum if size is None else size} bytes came")
             if is_last:
                 break
             count += 1
@@ -174,8 +181,8 @@ class Segments:
         return self.piece(**fields)
 
     def _pieces(self, content: bytes) -> Iterator[tuple[bytes, bool]]:
-        for at in range(0, max(len(content), 1), self.length):
-            yield content[at : at + self.length], at + self.length >= len(content)
+        for offset in range(0, max(len(content), 1), self.length):
+            yield content[offset : offset + self.length], offset + self.length >= len(content)
 
     def _check_count(self, message: Any, count: int) -> None:
         place = self.answered

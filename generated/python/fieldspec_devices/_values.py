@@ -347,4 +347,4 @@ class MarkedBytes(Bytes):
         return bytes(value) + MARK
 
     def refused(self, name: str, value: Any) -> CodecError | None:
-        return refused_bytes(name, value, self.length, least=0)
+        return refused_bytes(name, value, self.length, minimum=0)

@@ -27,15 +27,15 @@ class Varying:
     __slots__ = ("end", "form", "has_sign", "most", "places", "size", "whole")
 
     def __init__(self, letters: str) -> None:
-        self.form, most, places, sign, end = letters.split()
-        self.most, self.places, self.has_sign = int(most), int(places), sign == "+"
+        self.form, maximum, places, sign, end = letters.split()
+        self.most, self.places, self.has_sign = int(maximum), int(places), sign == "+"
         self.end = b"" if end == "-" else bytes([int(end)])
         self.size = self.most + self.has_sign
         self.whole = self.most - (self.places + 1 if self.places else 0)
 
-    def stop(self, data: bytes, at: int) -> int:
+    def stop(self, data: bytes, offset: int) -> int:
         """Where the value ends that begins at a byte; -1 where its end is missing."""
-        return data.find(self.end, at) if self.end else len(data)
+        return data.find(self.end, offset) if self.end else len(data)
 
     def widened(self, piece: bytes) -> bytes | None:
         """The bytes in the image; None for other bytes."""
@@ -91,11 +91,11 @@ class Widths:
     def encoded(self, image: bytes) -> bytes:
         """The sent form of an image. Raises CodecError for a text that has the byte which would end it."""
         pieces: list[bytes] = []
-        at = 0
+        offset = 0
         for name, form in self.fields:
             size = form if isinstance(form, int) else form.size
-            piece = image[at : at + size]
-            at += size
+            piece = image[offset : offset + size]
+            offset += size
             if not isinstance(form, int):
                 piece = form.narrowed(piece)
                 if form.end and form.end in piece:
@@ -112,8 +112,8 @@ class Widths:
         starts = [0]
         unfit: CodecError | None = None
         for name, form in self.fields:
-            at = starts[-1]
-            stop = at + form if isinstance(form, int) else form.stop(data, at)
+            offset = starts[-1]
+            stop = offset + form if isinstance(form, int) else form.stop(data, offset)
             if len(pieces) in self.counts and not isinstance(form, int):
                 number, count_size, order, plus = self.counts[len(pieces)]
                 count_at = starts[number]
@@ -121,13 +121,15 @@ class Widths:
                 if length is None or not 0 <= length - plus <= form.most:
                     text = f"{self.fields[number][0]} is not a number of bytes"
                     raise unfit or CodecError("unknown_value" if length is None else "wrong_measure", text, count_at)
-                stop = at + length - plus
+                stop = offset + length - plus
                 pieces[number] = size_data(form.size + plus, count_size, order)
-            if not at <= stop <= len(data):
+            if not offset <= stop <= len(data):
                 raise unfit or CodecError("incomplete", f"{name} has no end", len(data))
-            piece = data[at:stop] if isinstance(form, int) else form.widened(data[at:stop])
+            piece = data[offset:stop] if isinstance(form, int) else form.widened(data[offset:stop])
             if piece is None and unfit is None:
-                unfit = CodecError("unknown_value", f"{name} is {data[at:stop]!r}, which is not in its form", at)
+                unfit = CodecError(
+                    "unknown_value", f"{name} is {data[offset:stop]!r}, which is not in its form", offset
+                )
             pieces.append(piece or b"")
             starts.append(stop)
         if unfit is not None:
@@ -136,12 +138,12 @@ class Widths:
             raise CodecError("wrong_length", f"{self.title} is followed by more bytes", starts[-1])
         return b"".join(pieces), starts
 
-    def _place(self, starts: list[int], at: int | None) -> int | None:
+    def _place(self, starts: list[int], offset: int | None) -> int | None:
         """The byte in the data for a byte of the image."""
         first = 0
         for start, (_, form) in zip(starts, self.fields, strict=False):
             size = form if isinstance(form, int) else form.size
-            if at is None or at < first + size:
-                return None if at is None else start + (at - first if isinstance(form, int) else 0)
+            if offset is None or offset < first + size:
+                return None if offset is None else start + (offset - first if isinstance(form, int) else 0)
             first += size
         return starts[-1]

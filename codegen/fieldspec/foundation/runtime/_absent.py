@@ -57,9 +57,9 @@ def state_of(
     return None if is_within else OUT_OF_RANGE
 
 
-def is_among(value: float, others: Others) -> bool:
+def is_among(value: float, other_values: Others) -> bool:
     """Whether a number is one of some others, or in a range of them, where every NaN equals every other NaN."""
-    for other in others:
+    for other in other_values:
         if isinstance(other, range):
             if other.start <= value < other.stop:
                 return True

@@ -71,17 +71,17 @@ class CanIdentifier:
 
     def escaped(self, data: Data) -> bytes:
         """The frame of the bytes of some parts and of the data. Raises CodecError."""
-        identifier, at = self.flags, 0
+        identifier, offset = self.flags, 0
         for row, (size, order, first, width) in enumerate(self.fields):
-            number = int.from_bytes(data[at : at + size], order)
+            number = int.from_bytes(data[offset : offset + size], order)
             if row == self.remote:
                 identifier |= number & _REMOTE
                 number &= ~_REMOTE
             if number >> width:
                 raise CodecError("out_of_range", f"{number} has more than {width} bits")
             identifier |= number << first
-            at += size
-        content = bytes(data[at:])
+            offset += size
+        content = bytes(data[offset:])
         size = len(content)
         if identifier & _REMOTE:
             size, content = content[0] if size == 1 else size, b""
@@ -115,6 +115,6 @@ class CanIdentifier:
         ]
         return b"".join(parts) + bytes(data[4:5] if remote else data[_HEADER:])
 
-    def end(self, _data: bytearray, _at: int, _end: bytes) -> int:
+    def end(self, _data: bytearray, _offset: int, _end: bytes) -> int:
         """-1: frames come one by one."""
         return -1

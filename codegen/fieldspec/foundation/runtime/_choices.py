@@ -31,17 +31,17 @@ class Case:
         # A Struct returns these values themselves, unless they have more bytes than their type.
         self._direct = self._native and type(value) in (Number, Half, Float, Double)
 
-    def values(self, name: str, raws: Sequence[Any], at: int) -> tuple[Any, ...]:
-        """The elements of a field whose first byte is byte `at`. Raises CodecError."""
+    def values(self, name: str, raws: Sequence[Any], offset: int) -> tuple[Any, ...]:
+        """The elements of a field whose first byte is byte `offset`. Raises CodecError."""
         if self._direct:
             return tuple(raws)
-        return tuple([self._value(name, raw, at + number * self.size) for number, raw in enumerate(raws)])
+        return tuple([self._value(name, raw, offset + number * self.size) for number, raw in enumerate(raws)])
 
-    def _value(self, name: str, raw: Any, at: int) -> Any:
+    def _value(self, name: str, raw: Any, offset: int) -> Any:
         try:
             return self.value.of_raw(name, raw) if self._native else self.value.decode(name, raw)
         except CodecError as error:
-            raise error.shifted(at) from None
+            raise error.shifted(offset) from None
 
     def raws(self, name: str, values: Sequence[Any]) -> list[Any]:
         """The raw values of the elements for the Struct of the record. Raises CodecError."""
@@ -55,23 +55,23 @@ class Case:
 
 
 class Cases:
-    """The types of a single field that other fields follow, by the bits in the `mask` of its selector `by`."""
+    """The types of a single field that other fields follow, by the bits in the `mask` of its field `selector`."""
 
     __slots__ = ("by", "mask", "values")
 
-    def __init__(self, by: str, *cases: tuple[tuple[int, ...], Value[Any]], mask: int = -1) -> None:
-        self.by, self.mask = by, mask
+    def __init__(self, selector: str, *cases: tuple[tuple[int, ...], Value[Any]], mask: int = -1) -> None:
+        self.by, self.mask = selector, mask
         self.values: dict[int, Value[Any]] = {}
         for numbers, value in cases:
             self.values |= dict.fromkeys(numbers, value)
 
-    def decoded(self, name: str, number: Any, data: bytes, at: int) -> Any:
-        """The value at the beginning of some bytes, the first of which is byte `at`. Raises CodecError."""
+    def decoded(self, name: str, number: Any, data: bytes, offset: int) -> Any:
+        """The value at the beginning of some bytes, the first of which is byte `offset`. Raises CodecError."""
         value = self._chosen(number)
         try:
             return value.decode(name, data[: value.size])
         except CodecError as error:
-            raise error.shifted(at) from None
+            raise error.shifted(offset) from None
 
     def raw(self, name: str, number: Any, value: Any) -> bytes:
         """The bytes of a value for a number of the selector. Raises CodecError."""
@@ -92,10 +92,10 @@ class Cases:
 
 
 class Choice:
-    """The last field of a record: `least` to `most` elements of the case that its selector chooses.
+    """The last field of a record: `minimum` to `maximum` elements of the case that its selector chooses.
 
-    The selector is `by`: `by_size` bytes at byte `at` of the record. `fixed` is the format of all fields before the
-    decided one; each case has its numbers, the letters of an element, and the value.
+    The selector is `selector`: `by_size` bytes at byte `offset` of the record. `fixed` is the format of all fields
+    before the decided one; each case has its numbers, the letters of an element, and the value.
     """
 
     __slots__ = (
@@ -116,23 +116,23 @@ class Choice:
         self,
         record: str,
         fixed: str,
-        by: str,
-        at: int,
+        selector: str,
+        offset: int,
         by_size: int,
         *cases: tuple[tuple[int, ...], str, Value[Any]],
-        least: int,
-        most: int,
+        minimum: int,
+        maximum: int,
         order: Literal["big", "little"] = "big",
     ) -> None:
-        self.record, self.by, self.at, self.by_size = record, by, at, by_size
+        self.record, self.by, self.at, self.by_size = record, selector, offset, by_size
         self.order: Literal["big", "little"] = order
-        self.least, self.most, self.fixed_size = least, most, Struct(fixed).size
+        self.least, self.most, self.fixed_size = minimum, maximum, Struct(fixed).size
         self.cases: dict[int, Case] = {}
         for numbers, letters, value in cases:
             self.cases |= dict.fromkeys(numbers, Case(fixed, letters, value))
         sizes = [case.size for case in self.cases.values()]
-        self.shortest = self.fixed_size + least * min(sizes)
-        self.longest = self.fixed_size + most * max(sizes)
+        self.shortest = self.fixed_size + minimum * min(sizes)
+        self.longest = self.fixed_size + maximum * max(sizes)
 
     def unpack(self, data: Data) -> tuple[Case, tuple[Any, ...]]:
         """The case of a record's bytes, and the raw values of all fields. Raises CodecError."""
@@ -146,8 +146,8 @@ class Choice:
         fixed, size = self.fixed_size, case.size
         elements, rest = divmod(length - fixed, size)
         if rest or not self.least <= elements <= self.most:
-            least, most = fixed + self.least * size, fixed + self.most * size
-            raise wrong_length(self.record, length, least, most, fixed, size)
+            minimum, maximum = fixed + self.least * size, fixed + self.most * size
+            raise wrong_length(self.record, length, minimum, maximum, fixed, size)
         return case, case.structs[elements].unpack(data)
 
     def _selector(self, data: Data) -> int:

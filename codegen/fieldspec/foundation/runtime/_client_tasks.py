@@ -47,8 +47,8 @@ class Condition:
 
     __slots__ = ("mask", "name", "place", "reason", "wanted")
 
-    def __init__(self, place: Any, *wanted: float, mask: int = 0, name: str = "", reason: str = "unready") -> None:
-        self.place, self.wanted, self.mask, self.reason = place, wanted, mask, reason
+    def __init__(self, place: Any, *numbers: float, mask: int = 0, name: str = "", reason: str = "unready") -> None:
+        self.place, self.wanted, self.mask, self.reason = place, numbers, mask, reason
         self.name: str = name or _name(place)
 
     def holds(self, value: Any) -> bool:
@@ -173,7 +173,7 @@ class Task:
         standing: float | None = None
         while True:
             values = yield from look()
-            missing = [each for each in zip(conditions, values, strict=True) if not each[0].holds(each[1])]
+            missing = [pair for pair in zip(conditions, values, strict=True) if not pair[0].holds(pair[1])]
             if not missing:
                 return
             condition, value = missing[0]
@@ -182,8 +182,8 @@ class Task:
             elif standing is None:
                 standing = self.session.now()
             elif self.session.now() - standing >= self.session.begin:
-                wanted = getattr(condition, "count", None)
-                raise MotionError(f"{self.name}: the device stands, and {condition.name} is {value!r}, not {wanted}")
+                numbers = getattr(condition, "count", None)
+                raise MotionError(f"{self.name}: the device stands, and {condition.name} is {value!r}, not {numbers}")
             if self.late():
                 raise TimeLimitError(f"{self.name}: {condition.name} is still {value!r}")
             yield SLEEP, POLL
@@ -193,7 +193,7 @@ class Task:
         end = self.session.now() + self.session.begin
         while True:
             values = yield from look()
-            if not all(each.holds(value) for each, value in zip(conditions, values, strict=True)):
+            if not all(condition.holds(value) for condition, value in zip(conditions, values, strict=True)):
                 return
             if self.session.now() >= end:
                 raise MotionError(f"{self.name}: no motion has begun")
@@ -337,8 +337,8 @@ class MessageTask(Task):
 
         Raises MotionError.
         """
-        heads = [each for each in conditions if "." not in each.place]
-        if all(each.holds(_attribute(self.reply, each.place)) for each in heads):
+        heads = [condition for condition in conditions if "." not in condition.place]
+        if all(condition.holds(_attribute(self.reply, condition.place)) for condition in heads):
             yield from self.until_begun(conditions, lambda: self._values(request, conditions))
 
     def wait(self, request: Any, *conditions: Condition | Target) -> Work[None]:

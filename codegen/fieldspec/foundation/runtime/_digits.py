@@ -69,28 +69,28 @@ class Digits:
         else:
             self.low, self.high = 0, min(high, (1 << bits) - 1)
 
-    def number(self, name: str, raw: bytes, at: int, words_turned: bool = False) -> int:
-        """The number in exactly its bytes, which are at byte `at` of the whole. Raises CodecError."""
+    def number(self, name: str, raw: bytes, offset: int, words_turned: bool = False) -> int:
+        """The number in exactly its bytes, which are at byte `offset` of the whole. Raises CodecError."""
         (number,) = self.unpack(turned(raw) if words_turned else raw)
         if number is None:
-            raise no_digits(name, raw, at)
+            raise no_digits(name, raw, offset)
         return number
 
     def numbers(
         self,
         name: str,
         raws: Sequence[bytes],
-        at: int,
+        offset: int,
         words_turned: bool = False,
         accepted: Container[int] | None = None,
     ) -> list[int]:
-        """The numbers of a list that begins at byte `at` of the whole, at most up to the first that is not `accepted`.
+        """The numbers of a list that begins at byte `offset` of the whole, up to the first that is not `accepted`.
 
         The caller refuses that one, which comes before bytes after it that are not digits. Raises CodecError.
         """
         numbers = []
         for index, raw in enumerate(raws):
-            numbers.append(self.number(name, raw, at + index * self.size, words_turned))
+            numbers.append(self.number(name, raw, offset + index * self.size, words_turned))
             if accepted is not None and numbers[-1] not in accepted:
                 break
         return numbers
@@ -178,8 +178,8 @@ class Digits:
         """The number of ` -1.25`, whose first digit is a zero only before the point; None for anything else."""
         text = raw.lstrip(b" ")
         is_negative = self.signed and text[:1] == b"-"
-        behind = self.places + 1 if self.places else 0
-        whole = text[is_negative : max(len(text) - behind, 0)]
+        fraction_size = self.places + 1 if self.places else 0
+        whole = text[is_negative : max(len(text) - fraction_size, 0)]
         fraction = text[is_negative + len(whole) :]
         digits = whole + fraction[1:]
         if not whole or (whole[:1] == b"0" and len(whole) > 1) or fraction[:1] != b"."[: self.places]:
@@ -189,9 +189,9 @@ class Digits:
         return -int(digits) if is_negative else int(digits)
 
 
-def no_digits(name: str, raw: bytes, at: int) -> CodecError:
+def no_digits(name: str, raw: bytes, offset: int) -> CodecError:
     """The error of bytes that are not the digits of a number."""
-    return CodecError("unknown_value", f"{name} is {raw!r}, which are not the digits of a number", at)
+    return CodecError("unknown_value", f"{name} is {raw!r}, which are not the digits of a number", offset)
 
 
 def size_in(data: bytes, order: str) -> int | None:

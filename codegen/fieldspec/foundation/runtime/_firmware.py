@@ -25,15 +25,15 @@ class UnknownFirmwareError(LookupError):
         return type(self), (self.firmware, self.known)
 
 
-def version_in(lines: tuple[Line, ...], value: str | int, form: str, places: int, named: dict[str | int, str]) -> str:
+def version_in(lines: tuple[Line, ...], value: str | int, form: str, places: int, names: dict[str | int, str]) -> str:
     """The version that a value of the device tells: `2.21` of 221 in the form `decimal` with two places.
 
-    `named` has the versions that single values tell. For the form `bytes`, `places` is the size of the number in bytes.
+    `names` has the versions that single values tell. For the form `bytes`, `places` is the size of the number in bytes.
     Raises UnknownFirmwareError.
     """
     key = value.strip(" \t\r\n\0") if isinstance(value, str) else value
-    if key in named:
-        return named[key]
+    if key in names:
+        return names[key]
     if isinstance(key, str):
         return key
     if form == "bytes" and 0 <= key < 1 << 8 * places:
@@ -71,18 +71,18 @@ def _named(lines: tuple[Line, ...], text: str) -> str | None:
 
 def _numbered(lines: tuple[Line, ...], text: str, nearest: bool) -> str | None:
     """The module of the same number, or of all before the first number, or with `nearest` of the number below."""
-    asked = _numbers(text)
-    if asked is None:
+    numbers = _numbers(text)
+    if numbers is None:
         return None
-    for line in lines if len(lines) == 1 else [line for line in lines if _first(line) == asked[0]]:
+    for line in lines if len(lines) == 1 else [line for line in lines if _first(line) == numbers[0]]:
         numbered = [(number, module) for version, module in line if (number := _numbers(version)) is not None]
         for number, module in numbered:
-            if number == asked:
+            if number == numbers:
                 return module
-        earlier = [module for version, module in line if _before(version, asked)]
-        if earlier and all(asked < number for number, _ in numbered):
+        earlier = [module for version, module in line if _before(version, numbers)]
+        if earlier and all(numbers < number for number, _ in numbered):
             return earlier[0]
-        below = [(number, module) for number, module in numbered if number < asked]
+        below = [(number, module) for number, module in numbered if number < numbers]
         if nearest and below:
             return max(below)[1]
     return None
@@ -105,7 +105,7 @@ def _first(line: Line) -> int | None:
     return next((parts[0] for parts in numbers if parts is not None), None)
 
 
-def _before(version: str, asked: tuple[int, ...]) -> bool:
+def _before(version: str, numbers: tuple[int, ...]) -> bool:
     """Whether a version stands for all firmware below a number, and the requested number is below it."""
     bound = _numbers(version.removeprefix(EARLIER)) if version.startswith(EARLIER) else None
-    return bound is not None and asked < bound
+    return bound is not None and numbers < bound

@@ -51,12 +51,12 @@ class Flags:
                 raise TypeError(f"{self.__class__.__name__} has no bit {name}")
             if ratio is not None and name in bits:
                 raise TypeError(f"{self.__class__.__name__}() takes only one of {name!r} or {argument!r}")
-            first, most = self._BITS[name]
-            low, high = (~(most >> 1), most >> 1) if name in self._SIGNED else (0, most)
+            first, maximum = self._BITS[name]
+            low, high = (~(maximum >> 1), maximum >> 1) if name in self._SIGNED else (0, maximum)
             count = index(value) if ratio is None else counts(name, value, ratio, ((low, high),))
             if not low <= count <= high:
                 raise CodecError("out_of_range", f"{name} is {count}, not in {low}..{high}")
-            for place, ones, weight in self._RUNS.get(name, ((first, most, 0),)):
+            for place, ones, weight in self._RUNS.get(name, ((first, maximum, 0),)):
                 raw = raw & ~(ones << place) | (count >> weight & ones) << place
         return raw
 

@@ -20,14 +20,15 @@ if TYPE_CHECKING:
 class InnerList:
     """A list after `first` bytes of other fields; in the image, and in refusals of it, its place is `room`.
 
-    It has `least` to `most` elements of `size` bytes, which the Struct has as `letters`. The field that counts them is
-    at `at` in the image, with `length` bytes in an order, or of digits; its number, less `plus`, is that of units of
-    `unit` bytes. `length` is 0 for a list that always has `most` elements, and for the one whose size the data decide.
-    `parts` tell the size of an element where elements differ in size, and a `decision` that of the only element; these
-    have `size` bytes in the image. With a `packing`, numbers are sent in fewer bits. With a `presence`, a mask and
-    numbers, the only element is sent if these bits of the number are one of the numbers; without numbers, these bits
-    are the count. With a `sent_plus`, what is sent is the number of the sent bytes and this number more; the bits of a
-    `presence` are the same in the image. With `more`, elements say which of them is the last, and the count is one.
+    It has `minimum` to `maximum` elements of `size` bytes, which the Struct has as `letters`. The field that counts
+    them is at `at` in the image, with `length` bytes in an order, or of digits; its number, less `plus`, is that of
+    units of `unit` bytes. `length` is 0 for a list that always has `maximum` elements, and for the one whose size the
+    data decide. `parts` tell the size of an element where elements differ in size, and a `decision` that of the only
+    element; these have `size` bytes in the image. With a `packing`, numbers are sent in fewer bits. With a `presence`,
+    a mask and numbers, the only element is sent if these bits of the number are one of the numbers; without numbers,
+    these bits are the count. With a `sent_plus`, what is sent is the number of the sent bytes and this number more; the
+    bits of a `presence` are the same in the image. With `continuation`, elements say which of them is the last, and the
+    count is one.
     """
 
     __slots__ = (
@@ -62,14 +63,14 @@ class InnerList:
         packing: Packing | None = None,
         presence: tuple[int, tuple[int, ...] | range] | None = None,
         sent_plus: int | None = None,
-        more: More | None = None,
+        continuation: More | None = None,
     ) -> None:
         self.letters, self.size, self.first, self.room = letters, size, first, room
         self.sizes = range(bounds[0] * size, bounds[1] * size + 1, size)
         self.at, self.length, self.order, self.unit, self.plus = count
         self.parts, self.decision, self.packing, self.presence = parts, decision, packing, presence
         self.sent_plus = sent_plus
-        self.more = more
+        self.more = continuation
 
     def number(self, data: bytes) -> int:
         """The number in the field that counts the list, in some data."""
@@ -91,18 +92,18 @@ class InnerList:
 
     def image_size(self, image: bytes, start: int) -> int:
         """The same, in an image in which the list is at a start."""
-        size, more = self.count_size(image), self.more
-        if more is not None and size:
-            while more.follows(image[start + size - self.size : start + size]):
+        size, continuation = self.count_size(image), self.more
+        if continuation is not None and size:
+            while continuation.follows(image[start + size - self.size : start + size]):
                 size += self.size
         return size
 
-    def checked_size(self, data: bytes, at: int) -> int:
+    def checked_size(self, data: bytes, offset: int) -> int:
         """The same, refused at the count if the number is not possible."""
         size = self.count_size(data)
         if size not in self.sizes:
             limits = f"{self.sizes[0]} to {self.sizes[-1]} bytes in steps of {self.size}"
-            raise CodecError("wrong_measure", f"a list has {size} bytes, not {limits}", at)
+            raise CodecError("wrong_measure", f"a list has {size} bytes, not {limits}", offset)
         return size
 
     def sent_number(self, data: bytes, plus: int) -> int:
@@ -111,11 +112,11 @@ class InnerList:
         mask = -1 if self.presence is None else self.presence[0]
         return (number & mask) // (mask & -mask) - plus
 
-    def measured_bytes(self, data: bytes, plus: int, at: int) -> int:
+    def measured_bytes(self, data: bytes, plus: int, offset: int) -> int:
         """The same, refused at the number if it is not possible."""
         size = self.sent_number(data, plus)
         if not 0 <= size <= self.sizes[-1]:
-            raise CodecError("wrong_measure", f"a list has {size} bytes, not 0 to {self.sizes[-1]}", at)
+            raise CodecError("wrong_measure", f"a list has {size} bytes, not 0 to {self.sizes[-1]}", offset)
         return size
 
     def decided_bytes(self, decision: Decision, data: bytes, place: Callable[[int], int]) -> int:
@@ -154,24 +155,26 @@ class InnerList:
         data.
         """
         sizes: list[int] = []
-        at, least, most, more = 0, self.sizes[0], self.sizes[-1], self.more
-        while at < len(data) if size is None else len(sizes) * self.size < size:
-            if len(sizes) * self.size == most:
-                raise CodecError("wrong_length", f"a list has more than {len(sizes)} elements", start + at)
+        offset, minimum, maximum, continuation = 0, self.sizes[0], self.sizes[-1], self.more
+        while offset < len(data) if size is None else len(sizes) * self.size < size:
+            if len(sizes) * self.size == maximum:
+                raise CodecError("wrong_length", f"a list has more than {len(sizes)} elements", start + offset)
             try:
-                own = parts.sent_size(data[at:])
+                own = parts.sent_size(data[offset:])
             except CodecError as error:
-                raise error.shifted(start + at) from None
-            if at + own > len(data):
+                raise error.shifted(start + offset) from None
+            if offset + own > len(data):
                 raise CodecError("incomplete", "an element has more bytes", start + len(data))
             sizes.append(own)
-            if more is not None and size is not None and more.follows(data[at : at + own]):
-                if size == most:
-                    raise CodecError("wrong_measure", f"more than {len(sizes)} elements follow", start + at + more.at)
+            if continuation is not None and size is not None and continuation.follows(data[offset : offset + own]):
+                if size == maximum:
+                    raise CodecError(
+                        "wrong_measure", f"more than {len(sizes)} elements follow", start + offset + continuation.at
+                    )
                 size += self.size
-            at += own
-        if len(sizes) * self.size < least:
-            raise CodecError("incomplete", f"a list has {len(sizes)} elements", start + at)
+            offset += own
+        if len(sizes) * self.size < minimum:
+            raise CodecError("incomplete", f"a list has {len(sizes)} elements", start + offset)
         return sizes
 
     def sent_sizes(
@@ -181,9 +184,11 @@ class InnerList:
 
         The last list ends there. Refused at the `place` of a number, or at the byte at which it shows.
         """
-        sent = fields[self.at : self.at + self.length]
-        if self.length and size_in(sent, self.order) is None:
-            raise CodecError("unknown_value", f"the size of a list is {sent!r}, which is not in digits", place(self.at))
+        sent_data = fields[self.at : self.at + self.length]
+        if self.length and size_in(sent_data, self.order) is None:
+            raise CodecError(
+                "unknown_value", f"the size of a list is {sent_data!r}, which is not in digits", place(self.at)
+            )
         if self.decision is not None:
             return [self.decided_bytes(self.decision, fields, place)]
         is_open = is_last and self.more is None
@@ -211,7 +216,7 @@ class InnerList:
             return self.packing.packed(image)
         if self.parts is None:
             return image
-        elements = [image[at : at + self.size] for at in range(0, len(image), self.size)]
+        elements = [image[offset : offset + self.size] for offset in range(0, len(image), self.size)]
         return b"".join([element[: self.parts.sent_size(element)] for element in elements])
 
 
@@ -232,15 +237,15 @@ class Parts:
             if len(data) < start:
                 break
             fields += data[len(fields) + before : start]
-            own = inner.sent_sizes(fields, data, start, len(data), lambda at: _place_after(extents, at), False)
+            own = inner.sent_sizes(fields, data, start, len(data), lambda offset: _place_after(extents, offset), False)
             extents.append((inner.first, sum(own)))
             before += sum(own)
         return self.fixed + before
 
 
-def _place_after(extents: Sequence[tuple[int, int]], at: int) -> int:
+def _place_after(extents: Sequence[tuple[int, int]], offset: int) -> int:
     """The sent byte for a byte of other fields, after lists that begin after some of these and have some bytes."""
-    return at + sum([taken for first, taken in extents if first <= at])
+    return offset + sum([size for first, size in extents if first <= offset])
 
 
 class InnerLists(dict[tuple[int, ...], Struct]):
@@ -270,33 +275,35 @@ class InnerLists(dict[tuple[int, ...], Struct]):
         numbers: list[int] = []
         zero_at: int | None = None
 
-        def place(at: int) -> int:
-            return self._place(extents, at)
+        def place(start: int) -> int:
+            return self._place(extents, start)
 
         for inner in self.lists:
-            at = inner.first + before
-            fields += data[len(fields) + before : at]
+            start = inner.first + before
+            fields += data[len(fields) + before : start]
             stop = len(data) - self.fixed + inner.first
-            if stop < at:
+            if stop < start:
                 raise self._incomplete(len(data))
             is_last = inner is self.lists[-1]
-            sizes = inner.sent_sizes(fields, data, at, stop, place, is_last)
-            sent = sum(sizes)
-            if at + sent > stop:
+            sizes = inner.sent_sizes(fields, data, start, stop, place, is_last)
+            byte_count = sum(sizes)
+            if start + byte_count > stop:
                 raise self._incomplete(len(data))
             if inner.decision is not None:
-                if inner.decision.has_text(fields) and 0 in data[at : at + sent]:
-                    zero_at = at if zero_at is None else zero_at
+                if inner.decision.has_text(fields) and 0 in data[start : start + byte_count]:
+                    zero_at = start if zero_at is None else zero_at
                 numbers.append(1)
             elif inner.parts is not None:
                 numbers.append(len(sizes))
             else:
                 if is_last:
-                    self._check(inner, sent, at)
+                    self._check(inner, byte_count, start)
                 packing = inner.packing
-                numbers.append(sent // inner.size if packing is None else inner.numbers_in(packing, sent))
-            if at + sent < stop and is_last:
-                raise CodecError("wrong_length", f"{self.name} has more than its {at + sent} bytes", at + sent)
+                numbers.append(byte_count // inner.size if packing is None else inner.numbers_in(packing, byte_count))
+            if start + byte_count < stop and is_last:
+                raise CodecError(
+                    "wrong_length", f"{self.name} has more than its {start + byte_count} bytes", start + byte_count
+                )
             extents.append(sizes)
             for own in sizes:
                 piece = data[inner.first + before : inner.first + before + own]
@@ -318,55 +325,63 @@ class InnerLists(dict[tuple[int, ...], Struct]):
 
     def encoded(self, image: bytes) -> bytes:
         """The sent form of an image."""
-        data, at, start, fields = b"", 0, self.fixed, image
+        data, offset, start, fields = b"", 0, self.fixed, image
         pieces: list[bytes] = []
         for inner in self.lists:
             size = len(image) - start if inner is self.lists[-1] else inner.image_size(image, start)
             piece = image[start : start + size]
             pieces.append(inner.sent(piece) if inner.decision is None else inner.decision.sent(image, piece))
             if inner.sent_plus is not None:
-                sent = len(pieces[-1])
-                if inner.presence is not None and inner.sent_number(fields, inner.sent_plus) != sent:
-                    raise CodecError("wrong_measure", f"bits of {self.name} do not count the {sent} bytes of a text")
-                fields = inner.with_number(fields, sent + inner.sent_plus)
+                byte_count = len(pieces[-1])
+                if inner.presence is not None and inner.sent_number(fields, inner.sent_plus) != byte_count:
+                    raise CodecError(
+                        "wrong_measure", f"bits of {self.name} do not count the {byte_count} bytes of a text"
+                    )
+                fields = inner.with_number(fields, byte_count + inner.sent_plus)
             start += size
         for inner, piece in zip(self.lists, pieces, strict=True):
-            data += fields[at : inner.first] + piece
-            at = inner.first
-        return data + fields[at : self.fixed]
+            data += fields[offset : inner.first] + piece
+            offset = inner.first
+        return data + fields[offset : self.fixed]
 
     def elements(self, number: int, images: Sequence[bytes]) -> list[bytes]:
         """The sent form of the images of a list's elements."""
         inner = self.lists[number]
         return [inner.sent(image) for image in images]
 
-    def _check(self, inner: InnerList, size: int, at: int) -> None:
+    def _check(self, inner: InnerList, size: int, offset: int) -> None:
         """Refuses a wrong number of bytes of the list whose size the data decide."""
-        least, most = inner.sent_size(inner.sizes[0]), inner.sent_size(inner.sizes[-1])
-        if inner.packing is not None and size >= least:
-            most = inner.packing.sent_size(inner.numbers_in(inner.packing, size))
-            if most < size:
-                raise CodecError("wrong_length", f"a list of {self.name} has bits after its numbers", at + most)
-        elif size < least:
-            raise CodecError("incomplete", f"{self.name} ends in a list of {size} bytes, at least {least}", at + size)
-        elif size > most:
-            raise CodecError("wrong_length", f"a list of {self.name} has at most {most} bytes, not {size}", at + most)
+        minimum, maximum = inner.sent_size(inner.sizes[0]), inner.sent_size(inner.sizes[-1])
+        if inner.packing is not None and size >= minimum:
+            maximum = inner.packing.sent_size(inner.numbers_in(inner.packing, size))
+            if maximum < size:
+                raise CodecError("wrong_length", f"a list of {self.name} has bits after its numbers", offset + maximum)
+        elif size < minimum:
+            raise CodecError(
+                "incomplete", f"{self.name} ends in a list of {size} bytes, at least {minimum}", offset + size
+            )
+        elif size > maximum:
+            raise CodecError(
+                "wrong_length", f"a list of {self.name} has at most {maximum} bytes, not {size}", offset + maximum
+            )
         elif size not in inner.sizes:
-            raise CodecError("wrong_length", f"a list of {self.name} ends within an element", at + size)
+            raise CodecError("wrong_length", f"a list of {self.name} ends within an element", offset + size)
 
-    def _incomplete(self, at: int) -> CodecError:
-        return CodecError("incomplete", f"{self.name} has more bytes", at)
+    def _incomplete(self, offset: int) -> CodecError:
+        return CodecError("incomplete", f"{self.name} has more bytes", offset)
 
-    def _place(self, extents: list[list[int]], at: int) -> int:
+    def _place(self, extents: list[list[int]], offset: int) -> int:
         """The byte in data for a byte of the image, in which each list has its `room`."""
         before = 0
         for inner, sizes in zip(self.lists, [*extents, *[[]] * (len(self.lists) - len(extents))], strict=True):
-            if at >= inner.room and (inner is self.lists[-1] or at < inner.room + inner.sizes[-1]):
+            if offset >= inner.room and (inner is self.lists[-1] or offset < inner.room + inner.sizes[-1]):
                 if inner.packing is not None:
-                    return inner.first + before + (at - inner.room) // inner.size * inner.packing.bits // 8
-                index, rest = divmod(at - inner.room, inner.size) if inner.parts is not None else (0, at - inner.room)
+                    return inner.first + before + (offset - inner.room) // inner.size * inner.packing.bits // 8
+                index, rest = (
+                    divmod(offset - inner.room, inner.size) if inner.parts is not None else (0, offset - inner.room)
+                )
                 return inner.first + before + sum(sizes[:index]) + rest
-            if at < inner.first:
-                return at + before
+            if offset < inner.first:
+                return offset + before
             before += sum(sizes)
-        return at + before
+        return offset + before

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class Decision:
-    """The number that decides how many bytes an element has: the field `name`, `length` bytes at `at` in the image.
+    """The number that decides how many bytes an element has: the field `name`, `length` bytes at `offset` in the image.
 
     Only its bits in the `mask` decide. A size below zero is that of a text, whose most bytes it is without the sign;
     another number counts them. For `marked` numbers these are bytes, which have a mark after them in the image.
@@ -22,26 +22,26 @@ class Decision:
     def __init__(
         self,
         name: str,
-        at: int,
+        offset: int,
         length: int,
         order: Literal["big", "little"],
         sizes: dict[int, int],
         mask: int = -1,
         marked: tuple[int, ...] = (),
     ) -> None:
-        self.name, self.at, self.length, self.sizes, self.mask, self.marked = name, at, length, sizes, mask, marked
+        self.name, self.at, self.length, self.sizes, self.mask, self.marked = name, offset, length, sizes, mask, marked
         self.order: Literal["big", "little"] = order
 
     def number(self, fields: bytes) -> int:
         """The bits that decide."""
         return int.from_bytes(fields[self.at : self.at + self.length], self.order) & self.mask
 
-    def size(self, fields: bytes, at: int) -> int:
+    def size(self, fields: bytes, offset: int) -> int:
         """The bytes of the element, refused with the place of a number that decides nothing."""
         number = self.number(fields)
         size = self.sizes.get(number)
         if size is None:
-            raise CodecError("unknown_value", f"{self.name} is {number}, which chooses nothing that may follow", at)
+            raise CodecError("unknown_value", f"{self.name} is {number}, which chooses nothing that may follow", offset)
         return size
 
     def has_text(self, fields: bytes) -> bool:
@@ -99,14 +99,14 @@ class Packing:
 
 
 class More:
-    """Another element follows one whose number, `length` bytes at `at` in it, has in `mask` one of some numbers."""
+    """Another element follows one whose number, `length` bytes at `offset` in it, has in `mask` one of some numbers."""
 
     __slots__ = ("at", "following", "length", "mask", "order")
 
     def __init__(
-        self, at: int, length: int, order: Literal["big", "little"], mask: int, following: tuple[int, ...] | range
+        self, offset: int, length: int, order: Literal["big", "little"], mask: int, following: tuple[int, ...] | range
     ) -> None:
-        self.at, self.length, self.mask, self.following = at, length, mask, following
+        self.at, self.length, self.mask, self.following = offset, length, mask, following
         self.order: Literal["big", "little"] = order
 
     def follows(self, element: bytes) -> bool:

@@ -18,7 +18,7 @@ class MarkFramer(Framer):
         start, end = self.frames.start, self.frames.end
         self._common = next(size for size in range(len(end), -1, -1) if start.startswith(end[len(end) - size :]))
 
-    def _extent(self, buffer: bytearray, at: int) -> int:
+    def _extent(self, buffer: bytearray, offset: int) -> int:
         return -1
 
     def feed(self, data: Data) -> list[bytes]:
@@ -36,9 +36,9 @@ class MarkFramer(Framer):
                     self.dropped += open_ - done
                     done = close + len(end)
                     continue
-            behind = close + len(end) - self._common
-            self.dropped += behind - done
-            done = behind
+            next_offset = close + len(end) - self._common
+            self.dropped += next_offset - done
+            done = next_offset
         # Only the bytes after the last start delimiter, or a part of a delimiter, can still become a frame.
         open_ = buffer.rfind(start, done)
         keep = open_ if open_ >= 0 and len(buffer) - open_ < self.longest else max(done, len(buffer) - len(start) + 1)

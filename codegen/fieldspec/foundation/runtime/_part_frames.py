@@ -80,13 +80,13 @@ class PartFrames(Frames):
         first = ((length, length_offset, length_name, longest, unit, base),) if length >= 0 else ()
         self.lengths: tuple[Length, ...] = (*first, *lengths)
         self.offsets: list[int] = []
-        at = filled = 0
+        position = filled = 0
         for place, row in enumerate(head):
-            self.offsets.append(at)
+            self.offsets.append(position)
             filled += self.bits[place][1] if place in self.bits else 8 * row[1]
             if filled == 8 * row[1]:
-                at, filled = at + row[1], 0
-        self.head_size = at
+                position, filled = position + row[1], 0
+        self.head_size = position
         self.tail_size = sum(row[1] for row in tail)
         rows = (*head, *tail)
         self.digits = {
@@ -101,17 +101,17 @@ class PartFrames(Frames):
         numbers = []
         end = len(data) - self.tail_size
         for place, row in enumerate((*self.rows, *self.tail)):
-            at = self.offsets[place] if place < len(self.rows) else end
+            offset = self.offsets[place] if place < len(self.rows) else end
             _, size, order, signed, _, _ = row
             if order == "big" or order == "little":
-                number = _whole(data[at : at + size], order, signed)
+                number = _whole(data[offset : offset + size], order, signed)
                 if place in self.bits:
                     shift, width = self.bits[place]
                     number = number >> shift & (1 << width) - 1
             else:
-                (digits_number,) = self.digits[place].unpack(data[at : at + size])
+                (digits_number,) = self.digits[place].unpack(data[offset : offset + size])
                 number = _NO_DIGITS if digits_number is None else digits_number
-            numbers.append((row, at, number))
+            numbers.append((row, offset, number))
             end += size if place >= len(self.rows) else 0
         return numbers
 
@@ -122,19 +122,19 @@ class PartFrames(Frames):
         for place, function, start, stop, form in self.checks:
             if places is not None and place not in places:
                 continue
-            (_, size, order, _, _, _), at, have = numbers[place]
+            (_, size, order, _, _, _), offset, received = numbers[place]
             want = _number(function(data[start:stop]), size, _order(order), form)
-            if have != want:
-                text = f"the check is {have:0{2 * size}X}, not {want:0{2 * size}X}"
-                return CodecError("wrong_checksum", text, at)
+            if received != want:
+                text = f"the check is {received:0{2 * size}X}, not {want:0{2 * size}X}"
+                return CodecError("wrong_checksum", text, offset)
         return None
 
     def _no_digits(self, data: Data, numbers: list[tuple[Part, int, int]], places: Iterable[int]) -> CodecError | None:
         """The error of the first part of some that is not sent as its digits, although not everything is accepted."""
         for place in places:
-            (name, size, _, _, constant, compared), at, number = numbers[place]
+            (name, size, _, _, constant, compared), offset, number = numbers[place]
             if number == _NO_DIGITS and (compared or constant is None):
-                return no_digits(name, bytes(data[at : at + size]), at)
+                return no_digits(name, bytes(data[offset : offset + size]), offset)
         return None
 
     def _wrong(self, data: Data, numbers: list[tuple[Part, int, int]]) -> CodecError | None:
@@ -142,9 +142,9 @@ class PartFrames(Frames):
         wrong = self._wrong_checksum(data, numbers, self._own)
         if wrong is not None:
             return wrong
-        for (name, _, _, _, constant, compared), at, number in numbers:
+        for (name, _, _, _, constant, compared), offset, number in numbers:
             if compared and constant is not None and number != constant:
-                return wrong_const(name, number, constant, at)
+                return wrong_const(name, number, constant, offset)
         return None
 
     @property
@@ -164,8 +164,8 @@ class PartFrames(Frames):
         """The header and the body of the parts of a frame. Raises CodecError."""
         size = len(data)
         if size < self.head_size + self.tail_size:
-            least = self.head_size + self.tail_size
-            raise CodecError("incomplete", f"a frame has at least {least} bytes, not {size}", size)
+            minimum = self.head_size + self.tail_size
+            raise CodecError("incomplete", f"a frame has at least {minimum} bytes, not {size}", size)
         numbers = self._numbers(data)
         wrong = self._no_digits(data, numbers, self.digits)
         if wrong is not None:
@@ -212,8 +212,8 @@ class PartFrames(Frames):
                 total = self.head_size + len(body) + self.tail_size
                 if of_sent:
                     total = len(self._sent(self._packed(numbers, body)))
-                units, over = divmod(total - base, unit)
-                if over or not 0 <= units <= longest:
+                units, rest = divmod(total - base, unit)
+                if rest or not 0 <= units <= longest:
                     raise CodecError("wrong_length", f"{name} cannot say that the frame has {total} bytes")
                 numbers[place] = units
         for place, function, start, stop, form in self.checks:
@@ -275,15 +275,17 @@ class CountFramer(LengthFramer):
         known.pop(len(self.frames.start) + self.length_offset, None)
         return known
 
-    def _extent(self, buffer: bytearray, at: int) -> int:
+    def _extent(self, buffer: bytearray, offset: int) -> int:
         frames = self.frames
         assert isinstance(frames, PartFrames)
         marks = len(frames.start) + len(frames.end)
-        if not buffer.startswith(frames.start, at) or self._goes_on(buffer, at):
+        if not buffer.startswith(frames.start, offset) or self._goes_on(buffer, offset):
             return 0
-        at += len(frames.start)
-        if self._foreign(buffer, at):
+        offset += len(frames.start)
+        if self._foreign(buffer, offset):
             return 0
-        units = self._read(buffer, at + self.length_offset, self.length_size, self._length_form, self._length_is_little)
+        units = self._read(
+            buffer, offset + self.length_offset, self.length_size, self._length_form, self._length_is_little
+        )
         extent = units * frames.unit + frames.base + marks
         return extent if self.shortest <= extent <= self.longest else 0

@@ -47,14 +47,14 @@ class Conversion:
     def _ratio(self, reference: Quantity) -> tuple[int, int, int]:
         """(a, b, c) of quantity = (raw * a + b) / c."""
         try:
-            over, under = reference.as_integer_ratio()
+            numerator, under = reference.as_integer_ratio()
         except (ValueError, OverflowError):
             raise CodecError("out_of_range", f"the reference of {self.name} is {reference}") from None
         except AttributeError:
             raise CodecError("wrong_type", f"the reference of {self.name} is a number, not {reference!r}") from None
         if self.complement:
-            return -over, over * self.full_scale, under * self.full_scale
-        return over, 0, under * self.full_scale
+            return -numerator, numerator * self.full_scale, under * self.full_scale
+        return numerator, 0, under * self.full_scale
 
 
 def power_of_ten(name: str, exponent_name: str, limits: tuple[tuple[int, int], ...], exponent: int | None) -> Ratio:

@@ -37,9 +37,9 @@ def refused_broadcast(name: str, value: Any, address: int, message: str) -> Code
     return CodecError("out_of_range", f"{name} is {int(value)}: {message} cannot be broadcast")
 
 
-def refused_bits(name: str, number: int, of: str, size: int) -> CodecError | None:
+def refused_bits(name: str, number: int, other_name: str, size: int) -> CodecError | None:
     """A number of bits that are packed into that number of bytes."""
-    return None if (number + 7) // 8 == size else wrong_bits(name, int(number), of, size)
+    return None if (number + 7) // 8 == size else wrong_bits(name, int(number), other_name, size)
 
 
 def refused_number(
@@ -48,17 +48,19 @@ def refused_number(
     low: int,
     high: int,
     ranges: tuple[tuple[int, int], ...] = (),
-    others: Others = (),
+    other_values: Others = (),
     members: Container[int] | None = None,
     enum: str = "",
 ) -> CodecError | None:
-    """A whole number from `low` to `high`, in one of `ranges`, or one of `others`; for an enum, one of `members`."""
+    """A whole number from `low` to `high`, in `ranges`, or one of `other_values`; for an enum, one of `members`."""
     if not isinstance(value, int):
         return CodecError("wrong_type", f"{name} is a whole number, not {value!r}")
-    if members is not None and value not in members and not is_among(value, others):
+    if members is not None and value not in members and not is_among(value, other_values):
         return CodecError("unknown_value", f"{name} is {int(value)}, which {enum} does not list")
     fits = low <= value <= high
-    if fits and (not ranges or is_among(value, others) or any(least <= value <= most for least, most in ranges)):
+    if fits and (
+        not ranges or is_among(value, other_values) or any(minimum <= value <= maximum for minimum, maximum in ranges)
+    ):
         return None
     allowed = ", ".join(f"{a}" if a == b else f"{a}..{b}" for a, b in ranges or ((low, high),))
     return CodecError("out_of_range", f"{name} is {int(value)}, not in {allowed}")
@@ -76,34 +78,34 @@ def refused_flags(
         return refusal
     for title, place, images, allowed in bits:
         number = bits_at(raw, place)
-        if not any(low <= number <= most for low, most in images):
+        if not any(low <= number <= maximum for low, maximum in images):
             return CodecError("out_of_range", f"{title} of {name} is not in {allowed}")
     return None
 
 
 def refused_half(
-    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: Others = ()
+    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), other_values: Others = ()
 ) -> CodecError | None:
     """A floating-point number of 16 bits, as `refused_float` says it of 32."""
-    return _refused_real(name, value, _F16, ranges, others)
+    return _refused_real(name, value, _F16, ranges, other_values)
 
 
 def refused_float(
-    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: Others = ()
+    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), other_values: Others = ()
 ) -> CodecError | None:
-    """A floating-point number of 32 bits, in one of `ranges`, or one of `others`; without ranges any one, NaN too."""
-    return _refused_real(name, value, _F32, ranges, others)
+    """A floating-point number of 32 bits, in `ranges`, or one of `other_values`; without ranges any one, NaN too."""
+    return _refused_real(name, value, _F32, ranges, other_values)
 
 
 def refused_double(
-    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), others: Others = ()
+    name: str, value: Any, ranges: tuple[tuple[float, float], ...] = (), other_values: Others = ()
 ) -> CodecError | None:
     """A floating-point number of 64 bits, as `refused_float` says it of 32."""
-    return _refused_real(name, value, _F64, ranges, others)
+    return _refused_real(name, value, _F64, ranges, other_values)
 
 
 def _refused_real(
-    name: str, value: Any, struct: Struct, ranges: tuple[tuple[float, float], ...], others: Others
+    name: str, value: Any, struct: Struct, ranges: tuple[tuple[float, float], ...], other_values: Others
 ) -> CodecError | None:
     if not isinstance(value, (int, float)):
         return CodecError("wrong_type", f"{name} is a number, not {value!r}")
@@ -112,7 +114,7 @@ def _refused_real(
         struct.pack(float(value))
     except OverflowError:
         return CodecError("out_of_range", f"{name} is {value}, more than {8 * struct.size} bits can hold")
-    if not ranges or any(least <= value <= most for least, most in ranges) or is_among(value, others):
+    if not ranges or any(minimum <= value <= maximum for minimum, maximum in ranges) or is_among(value, other_values):
         return None
     allowed = ", ".join(f"{a}" if a == b else f"{a}..{b}" for a, b in ranges)
     return CodecError("out_of_range", f"{name} is {value}, not in {allowed}")
@@ -131,11 +133,11 @@ def refused_text(name: str, value: Any, size: int) -> CodecError | None:
     return None
 
 
-def refused_bytes(name: str, value: Any, size: int, least: int | None = None) -> CodecError | None:
-    """Exactly `size` bytes, or from the `least` on."""
+def refused_bytes(name: str, value: Any, size: int, minimum: int | None = None) -> CodecError | None:
+    """Exactly `size` bytes, or from the `minimum` on."""
     if not isinstance(value, (bytes, bytearray)):
         return CodecError("wrong_type", f"{name} is bytes, not {value!r}")
-    if not (size if least is None else least) <= len(value) <= size:
+    if not (size if minimum is None else minimum) <= len(value) <= size:
         return CodecError("wrong_length", f"{name} has {size} bytes, not {len(value)}")
     return None
 
@@ -152,13 +154,13 @@ def refused_record(name: str, value: Any, record: type) -> CodecError | None:
 
 
 def refused_list(
-    name: str, values: Any, least: int, most: int, refused: Callable[..., CodecError | None], *limits: Any
+    name: str, values: Any, minimum: int, maximum: int, refused: Callable[..., CodecError | None], *limits: Any
 ) -> CodecError | None:
-    """`least` to `most` elements, none of which the function refuses with its `limits`."""
+    """`minimum` to `maximum` elements, none of which the function refuses with its `limits`."""
     if not isinstance(values, (list, tuple)):
         return CodecError("wrong_type", f"{name} is a list, not {values!r}")
-    if not least <= len(values) <= most:
-        allowed = f"{least}" if least == most else f"{least} to {most}"
+    if not minimum <= len(values) <= maximum:
+        allowed = f"{minimum}" if minimum == maximum else f"{minimum} to {maximum}"
         return CodecError("wrong_length", f"{name} has {allowed} elements, not {len(values)}")
     for number, value in enumerate(values):
         error = refused(f"{name}[{number}]", value, *limits)

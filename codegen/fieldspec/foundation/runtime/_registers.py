@@ -187,12 +187,14 @@ class RegisterArray(Generic[T]):
         number: int | None = None,
         copy_of: str = "",
         space: str = "",
-        **more: Any,
+        **options: Any,
     ) -> None:
         self.name, self.address, self.access, self.space = name, address, access, space
         self.first, self.stride, self.number, self.copy_of = first, stride, number, copy_of
         self._registers = tuple(
-            Register(f"{name}[{first + number}]", address + number * stride, words, value, access, space=space, **more)
+            Register(
+                f"{name}[{first + number}]", address + number * stride, words, value, access, space=space, **options
+            )
             for number in range(count)
         )
 
@@ -272,8 +274,8 @@ class Table(Generic[T]):
         if self.base_by is not None:
             raise CodecError("no_base", f"{self.name} begins where {self.base_by.name} says: use at_base")
         address = self.base + (number - self.first) * self.stride
-        more: dict[str, Any] = {"order": self._order, "space": self.space}
-        return Register(f"{self.name}[{number}]", address, self.words, self._value, self.access, **more)
+        options: dict[str, Any] = {"order": self._order, "space": self.space}
+        return Register(f"{self.name}[{number}]", address, self.words, self._value, self.access, **options)
 
     def at_base(self, base: int) -> Self:
         """The table of a device that has its first record at `base`. Raises CodecError for other addresses."""
@@ -311,16 +313,18 @@ class Table(Generic[T]):
         return self[self.first + number] if rest == 0 and 0 <= number < self.count else None
 
 
-def spans(register: Register[Any], most: int) -> list[tuple[int, int]]:
-    """First address and number of words of each request that reads or writes a register, `most` words at once.
+def spans(register: Register[Any], maximum: int) -> list[tuple[int, int]]:
+    """First address and number of words of each request that reads or writes a register, `maximum` words at once.
 
     Raises CodecError where an atomic register does not fit one request.
     """
     end = register.address + register.words
-    if register.atomic and register.words > most:
+    if register.atomic and register.words > maximum:
         unit = "words" if register.unit_size > 1 else "bytes"
-        raise CodecError("wrong_length", f"{register.name} has {register.words} {unit}, and one request at most {most}")
-    return [(start, min(most, end - start)) for start in range(register.address, end, most)]
+        raise CodecError(
+            "wrong_length", f"{register.name} has {register.words} {unit}, and one request at most {maximum}"
+        )
+    return [(start, min(maximum, end - start)) for start in range(register.address, end, maximum)]
 
 
 def writable(register: Register[Any]) -> None:

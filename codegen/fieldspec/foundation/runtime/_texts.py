@@ -26,32 +26,32 @@ class TextForm:
     __slots__ = ("codec", "end", "is_packed", "is_right", "is_turned", "padding", "room", "size", "unit")
 
     def __init__(self, letters: str) -> None:
-        codec, size, padding, end, align, *more = letters.split()
+        codec, size, padding, end, align, *options = letters.split()
         self.is_packed = codec == "packed_ascii"
         self.codec = "ascii" if self.is_packed else codec
-        self.is_turned = bool(more)
+        self.is_turned = bool(options)
         self.padding = chr(int(padding))
         self.end = "" if end == "-" else chr(int(end))
         self.size, self.is_right = int(size), align == "right"
         self.unit = len("0".encode(self.codec))
         self.room = (self.size // 3 * 4 if self.is_packed else self.size) - len(self.end) * self.unit
 
-    def text(self, name: str, raw: bytes, at: int) -> str:
-        """The characters of the bytes at byte `at` of the whole. Raises CodecError."""
-        sent = raw[: self.size]
-        sent = turned(sent) if self.is_turned else sent
-        content = self._content(_unpacked(sent) if self.is_packed else sent)
+    def text(self, name: str, raw: bytes, offset: int) -> str:
+        """The characters of the bytes at byte `offset` of the whole. Raises CodecError."""
+        sent_data = raw[: self.size]
+        sent_data = turned(sent_data) if self.is_turned else sent_data
+        content = self._content(_unpacked(sent_data) if self.is_packed else sent_data)
         try:
             text = None if content is None else content.decode(self.codec)
         except UnicodeDecodeError:
             text = None
         if text is None or "\0" in text:
-            raise CodecError("unknown_value", f"{name} is {raw!r}, which is not a text of its form", at)
+            raise CodecError("unknown_value", f"{name} is {raw!r}, which is not a text of its form", offset)
         return text
 
-    def texts(self, name: str, raws: Sequence[bytes], at: int) -> list[str]:
-        """The texts of a list that begins at byte `at` of the whole. Raises CodecError."""
-        return [self.text(name, raw, at + number * self.size) for number, raw in enumerate(raws)]
+    def texts(self, name: str, raws: Sequence[bytes], offset: int) -> list[str]:
+        """The texts of a list that begins at byte `offset` of the whole. Raises CodecError."""
+        return [self.text(name, raw, offset + number * self.size) for number, raw in enumerate(raws)]
 
     def refused(self, name: str, text: Any) -> CodecError | None:
         """Why a text cannot be sent; None where it can."""
@@ -95,7 +95,7 @@ class TextForm:
         if self.end:
             end = self.end.encode(self.codec)
             places = range(0, len(raw) - self.unit + 1, self.unit)
-            return next((raw[:at] for at in places if raw[at : at + self.unit] == end), None)
+            return next((raw[:offset] for offset in places if raw[offset : offset + self.unit] == end), None)
         padding = self.padding.encode(self.codec)
         first, last = 0, len(raw)
         while not self.is_right and last > first and raw[last - self.unit : last] == padding:

@@ -64,11 +64,11 @@ def _arrays(record: type[Record], data: bytes, base: int, size: int, number: int
     columns: Arrays = {}
     for column in record._columns():
         if column.record is not None:
-            each = [
+            parts = [
                 _arrays(column.record, data, base + column.offset + element * column.size, size, number, whole)
                 for element in range(column.count or 1)
             ]
-            columns[column.name] = each[0] if not column.count else _interleaved(each, number)
+            columns[column.name] = parts[0] if not column.count else _interleaved(parts, number)
             continue
         values = _array(column, data, base, size, number)
         if column.tests or column.text:
@@ -83,13 +83,13 @@ def _array(column: Column, data: bytes, base: int, size: int, number: int) -> ar
     width, count = column.size, column.count or 1
     if column.letter == "s":
         starts = range(base + column.offset, len(data), size)
-        return [data[at + width * item : at + width * (item + 1)] for at in starts for item in range(count)]
+        return [data[offset + width * item : offset + width * (item + 1)] for offset in starts for item in range(count)]
     whole = width + column.padding
     bytes_of_place = b""
     joined = bytearray(whole * count * number)
     for element in range(count):
-        for place, at in enumerate(column.places(element)):
-            bytes_of_place = data[base + at :: size]
+        for place, offset in enumerate(column.places(element)):
+            bytes_of_place = data[base + offset :: size]
             joined[element * whole + _place(place, whole) :: whole * count] = bytes_of_place
         if column.padding and column.letter.islower() and not column.magnitude:
             signs = bytes_of_place.translate(_SIGNS)
@@ -110,17 +110,17 @@ def _place(place: int, width: int) -> int:
     return place if byteorder == "little" else width - 1 - place
 
 
-def _interleaved(each: list[Arrays], number: int) -> Arrays:
+def _interleaved(records: list[Arrays], number: int) -> Arrays:
     """The columns of records in a list, whose elements then follow each other."""
     columns: Arrays = {}
-    for name, first in each[0].items():
-        parts: list[Any] = [part[name] for part in each]
+    for name, first in records[0].items():
+        parts: list[Any] = [part[name] for part in records]
         if isinstance(first, dict):
             columns[name] = _interleaved(parts, number)
             continue
         share = len(first) // number if number else 0
-        together = (item for at in range(number) for part in parts for item in part[at * share : (at + 1) * share])
-        columns[name] = list(together) if isinstance(first, list) else array(first.typecode, together)
+        joined = (item for row in range(number) for part in parts for item in part[row * share : (row + 1) * share])
+        columns[name] = list(joined) if isinstance(first, list) else array(first.typecode, joined)
     return columns
 
 
@@ -165,14 +165,14 @@ def _empty(record: type[Record], number: int, *lists: int) -> Columns:
     return columns
 
 
-def _fill(record: type[Record], raw: np.ndarray[Any, Any], columns: Columns, where: slice) -> None:
+def _fill(record: type[Record], raw: np.ndarray[Any, Any], columns: Columns, rows: slice) -> None:
     """Copies a block of records into the columns."""
     for place, column in enumerate(record._columns()):
         key = column.name or f" {place}"
         if column.record is not None:
-            _fill(column.record, raw[key], columns[key], where)
+            _fill(column.record, raw[key], columns[key], rows)
         else:
-            columns[key][where] = straight(column, raw[key])
+            columns[key][rows] = straight(column, raw[key])
 
 
 def _allowed(record: type[Record], columns: Columns) -> bool:
@@ -187,10 +187,10 @@ def _allowed(record: type[Record], columns: Columns) -> bool:
             if values.size and int(numpy.ascontiguousarray(values).view("u1").max(initial=0)) > 127:
                 return False
         elif column.tests:
-            inside = numpy.zeros(values.shape, bool)
+            is_inside = numpy.zeros(values.shape, bool)
             for low, high in column.tests:
-                inside |= (values >= low) & (values <= high)
-            if not inside.all():
+                is_inside |= (values >= low) & (values <= high)
+            if not is_inside.all():
                 return False
     return True
 
@@ -258,19 +258,19 @@ def records(record: type[Record], data: Data) -> np.ndarray[Any, Any]:
 def bits(word: type[Flags], column: np.ndarray[Any, Any]) -> Columns:
     """The bits of a column of words by name, as columns of booleans; fields of several bits as numbers."""
     return {
-        name: _number_of_bits(word, name, column, first, most) if most > 1 else (column & (1 << first)) != 0
-        for name, (first, most) in word._BITS.items()
+        name: _number_of_bits(word, name, column, first, maximum) if maximum > 1 else (column & (1 << first)) != 0
+        for name, (first, maximum) in word._BITS.items()
     }
 
 
 def _number_of_bits(
-    word: type[Flags], name: str, column: np.ndarray[Any, Any], first: int, most: int
+    word: type[Flags], name: str, column: np.ndarray[Any, Any], first: int, maximum: int
 ) -> np.ndarray[Any, Any]:
     """The numbers in a field of bits; signed numbers have 64 bits."""
-    numbers: np.ndarray[Any, Any] = column >> first & most
+    numbers: np.ndarray[Any, Any] = column >> first & maximum
     if name in word._RUNS:
         numbers = sum((column >> place & ones) << weight for place, ones, weight in word._RUNS[name])  # type: ignore[assignment]
-    return (numbers ^ most // 2 + 1).astype("i8") - (most // 2 + 1) if name in word._SIGNED else numbers
+    return (numbers ^ maximum // 2 + 1).astype("i8") - (maximum // 2 + 1) if name in word._SIGNED else numbers
 
 
 def in_unit(record: type[Record], name: str, column: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
@@ -309,9 +309,9 @@ def _number(record: type[Record], data: Data) -> int:
 
 def _refuse(record: type[Record], data: bytes, size: int) -> None:
     """Raises the error of the first record that cannot be decoded."""
-    at = 0
+    offset = 0
     try:
-        for at in range(0, len(data), size):
-            record.decode(data[at : at + size])
+        for offset in range(0, len(data), size):
+            record.decode(data[offset : offset + size])
     except CodecError as error:
-        raise error.shifted(at) from None
+        raise error.shifted(offset) from None

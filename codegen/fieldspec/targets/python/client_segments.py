@@ -50,7 +50,7 @@ def _arguments(
     if fixed:
         yield f"fields={{{', '.join(fixed)}}}"
     if pieces.reads:
-        yield f"by={literal(_attribute(first.response, pieces.by))}"
+        yield f"number_name={literal(_attribute(first.response, pieces.by))}"
         yield f"numbers={_numbers(pieces.numbers)}"
         if pieces.unsized:
             yield f"unsized={_numbers(sorted(pieces.unsized))}"
@@ -61,8 +61,8 @@ def _arguments(
         yield f"abort={_abort(pieces, first, exchanges[pieces.abort.message.name])}"
         yield f'reasons={{"counter": {pieces.abort.counter}, "size": {pieces.abort.size}}}'
     for key, place, shape in (
-        ("asked", pieces.asked, piece.request),
-        ("answered", pieces.answered, piece.response),
+        ("request_place", pieces.asked, piece.request),
+        ("response_place", pieces.answered, piece.response),
         ("unused", pieces.unused, carrier),
         ("last", pieces.last, carrier),
     ):

@@ -47,7 +47,7 @@ def framer(
         )
         sizes = [int(argument.partition("=")[2]) for argument in arguments[1:3]]
         marks = len(frame.start) + len(frame.end)
-        longest = f"most={marks + frame.escape.most(sizes[1] - marks)}"
+        longest = f"maximum={marks + frame.escape.most(sizes[1] - marks)}"
         return "_EscapeFramer", [*arguments, longest], docstring(paragraphs, 8)
     if frame.escape is not None and (length is None or length.before_escape):
         return "", [], []
@@ -68,7 +68,7 @@ def framer(
             f'\n{" " * 16}{place}: bytes.fromhex("{values.hex()}"),'
             for place, values in first_bytes(link, direction).items()
         )
-        arguments += [f"begins={{{known}\n{' ' * 12}}}"] if known else []
+        arguments += [f"first_bytes={{{known}\n{' ' * 12}}}"] if known else []
         return "_EndFramer", arguments, docstring(paragraphs, 8)
     if code is None:
         return "", [], []

@@ -271,7 +271,7 @@ def choice_lines(variable: str, record: RecordLayout, fields: Sequence[Slots], l
         str(selector.size),
     ]
     cases = [_case(case, order, decided) for case in decided.field.cases]
-    bounds = [f"least={minimum}", f"most={maximum}"] + (['order="little"'] if selector.order == "little" else [])
+    bounds = [f"minimum={minimum}", f"maximum={maximum}"] + (['order="little"'] if selector.order == "little" else [])
     return [
         f"{variable} = _Choice(",
         f"    {', '.join(arguments)},",

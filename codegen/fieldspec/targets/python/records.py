@@ -319,7 +319,7 @@ def _inner_list_row(inner: InnerList, letters: str = "") -> str:
     packing = f", packing={_packing(inner.packing)}" if inner.packing is not None else ""
     presence = f", presence={_presence(inner.presence)}" if inner.presence is not None else ""
     sent_plus = f", sent_plus={inner.sent_plus}" if inner.sent_plus is not None else ""
-    continuation = f", more={_more(inner.continuation)}" if inner.continuation is not None else ""
+    continuation = f", continuation={_more(inner.continuation)}" if inner.continuation is not None else ""
     places = f"{inner.first}, {inner.room}{count}"
     options = f"{parts}{decision}{packing}{presence}{sent_plus}{continuation}"
     return f"_InnerList({literal(letters)}, {inner.element}, {bounds}, {places}{options})"

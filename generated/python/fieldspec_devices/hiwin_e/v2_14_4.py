@@ -5499,7 +5499,7 @@ _READ_PARAMETER_RESPONSE_STRUCT = _Choice(
     ((6, 66), "H", _Number(">H")),
     ((7, 67), "I", _Number(">I")),
     ((8,), "f", _Float(">f")),
-    least=1, most=255,
+    minimum=1, maximum=255,
 )
 
 
@@ -5766,7 +5766,7 @@ _WRITE_PARAMETER_REQUEST_STRUCT = _Choice(
     ((6, 66), "H", _Number(">H")),
     ((7, 67), "I", _Number(">I")),
     ((8,), "f", _Float(">f")),
-    least=1, most=255,
+    minimum=1, maximum=255,
 )
 
 

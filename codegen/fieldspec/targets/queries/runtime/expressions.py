@@ -27,7 +27,7 @@ def _whole(data: _pl.Expr, offset: int, size: int, order: _Order, swapped: bool,
     if order != "big":
         places.reverse()
     if swapped:
-        places = [place for at in range(size - 2, -1, -2) for place in places[at : at + 2]]
+        places = [place for first in range(size - 2, -1, -2) for place in places[first : first + 2]]
     number = _pl.lit(0, dtype=_pl.UInt64)
     for place in places:
         number = number * 256 + _piece(data, place, 1).bin.reinterpret(dtype=_pl.UInt8).cast(_pl.UInt64)
@@ -49,7 +49,7 @@ def _real(data: _pl.Expr, offset: int, size: int, order: _Order, swapped: bool) 
     if not swapped:
         return _piece(data, offset, size).bin.reinterpret(dtype=kind, endianness=order)
     # The words are turned around: put in order, they are a number with one order of bytes.
-    pieces = [_piece(data, offset + at, 2).bin.encode("hex") for at in range(size - 2, -1, -2)]
+    pieces = [_piece(data, offset + first, 2).bin.encode("hex") for first in range(size - 2, -1, -2)]
     return _pl.concat_str(pieces).str.decode("hex").bin.reinterpret(dtype=kind, endianness=order)
 
 
@@ -120,8 +120,8 @@ def _ratio(number: _pl.Expr, factor: float, shift: float, divisor: float) -> _pl
 def _is_in(number: _pl.Expr, intervals: list[tuple[int, int]]) -> _pl.Expr:
     tests = [_pl.lit(False)]
     for low, high in intervals:
-        least, most = _pl.lit(low, dtype=_pl.Int128), _pl.lit(high, dtype=_pl.Int128)
-        tests.append(number == most if low == high else (number >= least) & (number <= most))
+        minimum, maximum = _pl.lit(low, dtype=_pl.Int128), _pl.lit(high, dtype=_pl.Int128)
+        tests.append(number == maximum if low == high else (number >= minimum) & (number <= maximum))
     return _pl.any_horizontal(tests[1:] or tests)
 
 
@@ -132,10 +132,10 @@ def _each(data: _pl.Expr, offset: int, size: int, count: int | None, body: _pl.E
     return elements.list.eval(body)
 
 
-def _sized(data: _pl.Expr, least: int, most: int | None, offset: int, unit: int) -> _pl.Expr:
-    fits = _size(data) >= least
-    if most is not None:
-        fits = fits & (_size(data) <= most)
+def _sized(data: _pl.Expr, minimum: int, maximum: int | None, offset: int, unit: int) -> _pl.Expr:
+    fits = _size(data) >= minimum
+    if maximum is not None:
+        fits = fits & (_size(data) <= maximum)
     if unit > 1:
         fits = fits & ((_size(data) - offset) % unit == 0)
     return _pl.when(fits).then(data).otherwise(None)
@@ -143,14 +143,14 @@ def _sized(data: _pl.Expr, least: int, most: int | None, offset: int, unit: int)
 
 def _words(payload: _pl.Expr, start: _pl.Expr, address: _pl.Expr | int, size: int, unit: int = 2) -> _pl.Expr:
     offset = (0 - start.cast(_pl.Int64) + address) * unit
-    inside = (offset >= 0) & (offset + size <= _size(payload))
-    return payload.bin.slice(_pl.when(inside).then(offset).otherwise(None), size)
+    is_inside = (offset >= 0) & (offset + size <= _size(payload))
+    return payload.bin.slice(_pl.when(is_inside).then(offset).otherwise(None), size)
 
 
 def _single_bit(payload: _pl.Expr, start: _pl.Expr, address: int) -> _pl.Expr:
     offset = address - start.cast(_pl.Int64)
-    inside = (offset >= 0) & (offset // 8 < _size(payload))
-    byte = payload.bin.slice(_pl.when(inside).then(offset // 8).otherwise(None), 1).bin.reinterpret(dtype=_pl.UInt8)
+    is_inside = (offset >= 0) & (offset // 8 < _size(payload))
+    byte = payload.bin.slice(_pl.when(is_inside).then(offset // 8).otherwise(None), 1).bin.reinterpret(dtype=_pl.UInt8)
     masks = (offset % 8).replace_strict(list(range(8)), [1 << bit for bit in range(8)], return_dtype=_pl.UInt8)
     return (byte & masks) != 0
 
