@@ -125,9 +125,9 @@ ESC11_INLINE int64_t esc11_signed_64(uint64_t raw)
 
 static inline bool esc11_is_ascii(const uint8_t *in, size_t size)
 {
-    size_t at;
-    for (at = 0; at < size; at++) {
-        if (in[at] > 127u) {
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        if (in[offset] > 127u) {
             return false;
         }
     }
@@ -137,9 +137,9 @@ static inline bool esc11_is_ascii(const uint8_t *in, size_t size)
 /** Whether a text of at most `size` characters is ASCII. */
 static inline bool esc11_is_text(const char *text, size_t size)
 {
-    size_t at;
-    for (at = 0; at < size && text[at] != '\0'; at++) {
-        if ((uint8_t)text[at] > 127u) {
+    size_t offset;
+    for (offset = 0; offset < size && text[offset] != '\0'; offset++) {
+        if ((uint8_t)text[offset] > 127u) {
             return false;
         }
     }
@@ -149,10 +149,10 @@ static inline bool esc11_is_text(const char *text, size_t size)
 /** Writes a text of at most `size` characters, padded with zeros. */
 static inline void esc11_put_text(uint8_t *out, const char *text, size_t size)
 {
-    size_t at;
+    size_t offset;
     ESC11_CLEAR(out, size);
-    for (at = 0; at < size && text[at] != '\0'; at++) {
-        out[at] = (uint8_t)text[at];
+    for (offset = 0; offset < size && text[offset] != '\0'; offset++) {
+        out[offset] = (uint8_t)text[offset];
     }
 }
 
@@ -162,9 +162,9 @@ static inline void esc11_put_text(uint8_t *out, const char *text, size_t size)
 static inline uint8_t esc11_sum8(const uint8_t *in, size_t size)
 {
     uint32_t sum = 0;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        sum += in[at];
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        sum += in[offset];
     }
     return (uint8_t)(sum & 0xFFu);
 }

@@ -17,24 +17,24 @@
 unsigned long esc11_selftest(void (*tell)(const char *what));
 
 static unsigned long passed, failed;
-static void (*told)(const char *what);
+static void (*told)(const char *name);
 
-static void expect(bool holds, const char *what)
+static void expect(bool holds, const char *name)
 {
     if (holds) {
         passed++;
     } else {
         failed++;
-        told(what);
+        told(name);
     }
 }
 
 static bool same_bytes(const void *left, const void *right, size_t size)
 {
     const uint8_t *one = (const uint8_t *)left, *other = (const uint8_t *)right;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        if (one[at] != other[at]) {
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        if (one[offset] != other[offset]) {
             return false;
         }
     }
@@ -43,9 +43,9 @@ static bool same_bytes(const void *left, const void *right, size_t size)
 
 static bool same_text(const char *left, const char *right)
 {
-    size_t at;
-    for (at = 0; left[at] == right[at]; at++) {
-        if (left[at] == '\0') {
+    size_t offset;
+    for (offset = 0; left[offset] == right[offset]; offset++) {
+        if (left[offset] == '\0') {
             return true;
         }
     }
@@ -56,17 +56,17 @@ static bool same_text(const char *left, const char *right)
 static void copy(void *to, const void *from, size_t size)
 {
     volatile uint8_t *target = (uint8_t *)to;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        target[at] = ((const uint8_t *)from)[at];
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        target[offset] = ((const uint8_t *)from)[offset];
     }
 }
 
-static void clear(void *what, size_t size)
+static void clear(void *data, size_t size)
 {
-    size_t at;
-    for (at = 0; at < size; at++) {
-        ((uint8_t *)what)[at] = 0;
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        ((uint8_t *)data)[offset] = 0;
     }
 }
 

@@ -168,9 +168,9 @@ TC100_INLINE int64_t tc100_signed_64(uint64_t raw)
 
 static inline bool tc100_is_ascii(const uint8_t *in, size_t size)
 {
-    size_t at;
-    for (at = 0; at < size; at++) {
-        if (in[at] > 127u) {
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        if (in[offset] > 127u) {
             return false;
         }
     }
@@ -180,9 +180,9 @@ static inline bool tc100_is_ascii(const uint8_t *in, size_t size)
 /** Whether a text of at most `size` characters is ASCII. */
 static inline bool tc100_is_text(const char *text, size_t size)
 {
-    size_t at;
-    for (at = 0; at < size && text[at] != '\0'; at++) {
-        if ((uint8_t)text[at] > 127u) {
+    size_t offset;
+    for (offset = 0; offset < size && text[offset] != '\0'; offset++) {
+        if ((uint8_t)text[offset] > 127u) {
             return false;
         }
     }
@@ -192,10 +192,10 @@ static inline bool tc100_is_text(const char *text, size_t size)
 /** Writes a text of at most `size` characters, padded with zeros. */
 static inline void tc100_put_text(uint8_t *out, const char *text, size_t size)
 {
-    size_t at;
+    size_t offset;
     TC100_CLEAR(out, size);
-    for (at = 0; at < size && text[at] != '\0'; at++) {
-        out[at] = (uint8_t)text[at];
+    for (offset = 0; offset < size && text[offset] != '\0'; offset++) {
+        out[offset] = (uint8_t)text[offset];
     }
 }
 
@@ -263,9 +263,9 @@ static inline uint16_t tc100_crc16_modbus(const uint8_t *in, size_t size)
         0x8201u, 0x42C0u, 0x4380u, 0x8341u, 0x4100u, 0x81C1u, 0x8081u, 0x4040u,
     };
     uint16_t crc = 0xFFFFu;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        crc = (uint16_t)(crc >> 8 ^ table[(crc ^ in[at]) & 0xFFu]);
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        crc = (uint16_t)(crc >> 8 ^ table[(crc ^ in[offset]) & 0xFFu]);
     }
 #else
     static const uint16_t table[16] = {
@@ -273,9 +273,9 @@ static inline uint16_t tc100_crc16_modbus(const uint8_t *in, size_t size)
         0xA001u, 0x6C00u, 0x7800u, 0xB401u, 0x5000u, 0x9C01u, 0x8801u, 0x4400u,
     };
     uint16_t crc = 0xFFFFu;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        crc = (uint16_t)(crc ^ in[at]);
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        crc = (uint16_t)(crc ^ in[offset]);
         crc = (uint16_t)(crc >> 4 ^ table[crc & 15u]);
         crc = (uint16_t)(crc >> 4 ^ table[crc & 15u]);
     }
@@ -287,9 +287,9 @@ static inline uint16_t tc100_crc16_modbus(const uint8_t *in, size_t size)
 static inline uint8_t tc100_lrc(const uint8_t *in, size_t size)
 {
     uint32_t sum = 0;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        sum += in[at];
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        sum += in[offset];
     }
     return (uint8_t)((0u - sum) & 0xFFu);
 }

@@ -21,7 +21,7 @@ from fieldspec.targets.c.values import store
 
 _FORMS = "checksum_forms.h"
 _SIZES = (1, 2, 4, 8)
-_BYTE_OR_SUFFIX = "(at < size ? in[at] : suffix[at - size])"
+_BYTE_OR_SUFFIX = "(offset < size ? in[offset] : suffix[offset - size])"
 
 
 def checksum_parts(layout: DeviceLayout) -> list[PartLayout]:
@@ -114,15 +114,15 @@ def _array(data: bytes) -> str:
 
 def _suffix_words(kind: Checksum) -> dict[str, str]:
     """How a loop takes the bytes that a checksum covers, and those after them."""
-    words = {"INDEX": "size_t at;", "SIZE": "size", "BYTE": "in[at]"}
+    words = {"INDEX": "size_t offset;", "SIZE": "size", "BYTE": "in[offset]"}
     if kind.suffix:
-        index = f"static const uint8_t suffix[{len(kind.suffix)}] = {_array(kind.suffix)};\n    size_t at;"
+        index = f"static const uint8_t suffix[{len(kind.suffix)}] = {_array(kind.suffix)};\n    size_t offset;"
         words = {"INDEX": index, "SIZE": f"size + {len(kind.suffix)}u", "BYTE": _BYTE_OR_SUFFIX}
     if kind.method == "crc" and kind.unit_size > 1:
         unit, total = f"{kind.unit_size}u", words["SIZE"]
-        place = f"device_swapped(at, {unit})"
-        byte = words["BYTE"].replace("at - size", f"{place} - size").replace("at < size", f"{place} < size")
-        byte = byte.replace("in[at]", f"in[{place}]")
+        place = f"device_swapped(offset, {unit})"
+        byte = words["BYTE"].replace("offset - size", f"{place} - size").replace("offset < size", f"{place} < size")
+        byte = byte.replace("in[offset]", f"in[{place}]")
         words["SIZE"] = f"({total} + {kind.unit_size - 1}u) / {unit} * {unit}"
         words["BYTE"] = f"({place} < {total} ? {byte} : 0u)"
     return words
@@ -177,7 +177,7 @@ def _fletcher_words(kind: Checksum, order: str) -> dict[str, str]:
     size, total = kind.unit_size, f"size + {len(kind.suffix)}u" if kind.suffix else "size"
     operands = f"numbers of {size} bytes" if size > 1 else "all bytes"
     modulo = f"& {_hexadecimal_number(kind.modulus - 1, bits)}" if kind.modulus == 1 << half else f"% {kind.modulus}u"
-    step, complete = f"upper = (upper + lower) {modulo};", f"at % {size}u == {size - 1}u || at + 1u == {total}"
+    step, complete = f"upper = (upper + lower) {modulo};", f"offset % {size}u == {size - 1}u || offset + 1u == {total}"
     return {
         "ABOUT": f"The Fletcher checksum of {operands}, {kind.width} bits, modulo {kind.modulus}.",
         "REGISTER": f"uint{bits}_t",
@@ -192,10 +192,10 @@ def _fletcher_words(kind: Checksum, order: str) -> dict[str, str]:
 
 def _term(kind: Checksum, order: str, register: str) -> str:
     """The number that a byte adds to a sum: the byte, or the part of a number of several bytes that it is."""
-    byte = _BYTE_OR_SUFFIX if kind.suffix else "in[at]"
+    byte = _BYTE_OR_SUFFIX if kind.suffix else "in[offset]"
     if kind.unit_size == 1:
         return byte
-    place = f"at % {kind.unit_size}u"
+    place = f"offset % {kind.unit_size}u"
     shift = f"8u * ({place})" if order == "little" else f"8u * ({kind.unit_size - 1}u - {place})"
     return f"(({register}){byte} << ({shift}))"
 

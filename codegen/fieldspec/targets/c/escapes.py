@@ -56,7 +56,7 @@ def _functions(naming: Naming, link: LinkLayout, escape: Escape) -> Source:
         "PAIRS": "\n".join(f"        {{{', '.join(map(digits, row))}}}," for row in escape.pairs),
         "SENT": "\n".join(f"        {{{', '.join(map(digits, row))}}}," for _, *row in escape.pairs),
         "ORIGINALS": ", ".join(digits(byte) for byte, _, _ in escape.pairs),
-        "SPECIAL": " || ".join(f"data[at] == {digits(byte)}" for byte in special),
+        "SPECIAL": " || ".join(f"data[offset] == {digits(byte)}" for byte in special),
         "PATTERN": ", ".join(map(digits, escape.pattern)),
         "INSERTED": digits(escape.inserted),
     }

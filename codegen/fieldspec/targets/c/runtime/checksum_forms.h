@@ -8,7 +8,7 @@ TABLE
     };
     REGISTER crc = START;
     INDEX
-    for (at = 0; at < SIZE; at++) {
+    for (offset = 0; offset < SIZE; offset++) {
         crc = (REGISTER)(crc ^ BYTE);
         crc = (REGISTER)(crc >> 4 ^ table[crc & 15u]);
         crc = (REGISTER)(crc >> 4 ^ table[crc & 15u]);
@@ -26,7 +26,7 @@ TABLE
     };
     REGISTER crc = START;
     INDEX
-    for (at = 0; at < SIZE; at++) {
+    for (offset = 0; offset < SIZE; offset++) {
         crc = (REGISTER)(crc ^ (REGISTER)((REGISTER)BYTE << BYTE_SHIFT));
         crc = (REGISTER)((REGISTER)(crc << 4) ^ table[crc >> DIGIT_SHIFT]);
         crc = (REGISTER)((REGISTER)(crc << 4) ^ table[crc >> DIGIT_SHIFT]);
@@ -41,7 +41,7 @@ static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
 {
     REGISTER number = START;
     INDEX
-    for (at = 0; at < SIZE; at++) {
+    for (offset = 0; offset < SIZE; offset++) {
         number = (REGISTER)(number OPERATOR TERM);
     }
     FINISH
@@ -55,7 +55,7 @@ static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
     REGISTER lower = LOWER_START;
     REGISTER upper = UPPER_START;
     INDEX
-    for (at = 0; at < SIZE; at++) {
+    for (offset = 0; offset < SIZE; offset++) {
         lower = (lower + TERM) MODULO;
         STEP
     }
@@ -72,13 +72,13 @@ static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
     RESULT number = device_COMPUTED(in, size);
     RESULT result = 0;
     unsigned shift;
-    size_t at;
+    size_t offset;
     for (shift = 0; shift < BITS; shift += 8u) {
         uint8_t byte = (uint8_t)(number >> shift);
-        for (at = 0; at < COUNT && avoided[at] != byte; at++) {
+        for (offset = 0; offset < COUNT && avoided[offset] != byte; offset++) {
         }
-        if (at < COUNT) {
-            byte = replacements[at];
+        if (offset < COUNT) {
+            byte = replacements[offset];
         }
         result = (RESULT)(result | (RESULT)((RESULT)byte << shift));
     }
@@ -88,9 +88,9 @@ static inline RESULT device_ALGORITHM(const uint8_t *in, size_t size)
 /* ---- swapped ---- */
 
 /** The place of a byte where the bytes of each number of so many bytes are in the opposite order. */
-static inline size_t device_swapped(size_t at, size_t unit)
+static inline size_t device_swapped(size_t offset, size_t unit)
 {
-    return at / unit * unit + unit - 1u - at % unit;
+    return offset / unit * unit + unit - 1u - offset % unit;
 }
 
 /* ---- reverse ---- */
@@ -121,9 +121,9 @@ static inline uint8_t device_checksum_byte(unsigned digit, unsigned base, uint8_
 static inline void device_store_checksum(
     uint8_t *out, size_t size, uint64_t number, unsigned base, uint8_t letter, bool little)
 {
-    size_t at;
-    for (at = 0; at < size; at++) {
-        out[little ? at : size - 1u - at] = device_checksum_byte((unsigned)(number % base), base, letter);
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        out[little ? offset : size - 1u - offset] = device_checksum_byte((unsigned)(number % base), base, letter);
         number /= base;
     }
 }
@@ -132,9 +132,9 @@ static inline void device_store_checksum(
 static inline bool device_is_checksum(
     const uint8_t *in, size_t size, uint64_t number, unsigned base, uint8_t letter, bool little)
 {
-    size_t at;
-    for (at = 0; at < size; at++) {
-        if (in[little ? at : size - 1u - at] != device_checksum_byte((unsigned)(number % base), base, letter)) {
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        if (in[little ? offset : size - 1u - offset] != device_checksum_byte((unsigned)(number % base), base, letter)) {
             return false;
         }
         number /= base;

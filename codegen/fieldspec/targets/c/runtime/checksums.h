@@ -42,9 +42,9 @@ static inline uint16_t device_crc16_modbus(const uint8_t *in, size_t size)
         0x8201u, 0x42C0u, 0x4380u, 0x8341u, 0x4100u, 0x81C1u, 0x8081u, 0x4040u,
     };
     uint16_t crc = 0xFFFFu;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        crc = (uint16_t)(crc >> 8 ^ table[(crc ^ in[at]) & 0xFFu]);
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        crc = (uint16_t)(crc >> 8 ^ table[(crc ^ in[offset]) & 0xFFu]);
     }
 #else
     static const uint16_t table[16] = {
@@ -52,9 +52,9 @@ static inline uint16_t device_crc16_modbus(const uint8_t *in, size_t size)
         0xA001u, 0x6C00u, 0x7800u, 0xB401u, 0x5000u, 0x9C01u, 0x8801u, 0x4400u,
     };
     uint16_t crc = 0xFFFFu;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        crc = (uint16_t)(crc ^ in[at]);
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        crc = (uint16_t)(crc ^ in[offset]);
         crc = (uint16_t)(crc >> 4 ^ table[crc & 15u]);
         crc = (uint16_t)(crc >> 4 ^ table[crc & 15u]);
     }
@@ -68,9 +68,9 @@ static inline uint16_t device_crc16_modbus(const uint8_t *in, size_t size)
 static inline uint8_t device_lrc(const uint8_t *in, size_t size)
 {
     uint32_t sum = 0;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        sum += in[at];
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        sum += in[offset];
     }
     return (uint8_t)((0u - sum) & 0xFFu);
 }
@@ -81,9 +81,9 @@ static inline uint8_t device_lrc(const uint8_t *in, size_t size)
 static inline uint8_t device_sum8(const uint8_t *in, size_t size)
 {
     uint32_t sum = 0;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        sum += in[at];
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        sum += in[offset];
     }
     return (uint8_t)(sum & 0xFFu);
 }

@@ -6,10 +6,10 @@
  */
 static inline bool device_is_count(const uint8_t *in, size_t size, uint8_t form)
 {
-    size_t at;
-    for (at = 0; at < size && form > 1u; at++) {
-        bool is_letter = form > 10u && in[at] >= form && in[at] <= form + 5u;
-        if (!is_letter && (in[at] < 0x30u || in[at] > 0x39u)) {
+    size_t offset;
+    for (offset = 0; offset < size && form > 1u; offset++) {
+        bool is_letter = form > 10u && in[offset] >= form && in[offset] <= form + 5u;
+        if (!is_letter && (in[offset] < 0x30u || in[offset] > 0x39u)) {
             return false;
         }
     }
@@ -20,9 +20,9 @@ static inline bool device_is_count(const uint8_t *in, size_t size, uint8_t form)
 static inline uint32_t device_load_count(const uint8_t *in, size_t size, uint8_t form)
 {
     uint32_t number = 0u;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        uint32_t byte = in[form == 1u ? size - 1u - at : at];
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        uint32_t byte = in[form == 1u ? size - 1u - offset : offset];
         if (form > 1u) {
             number = number * (form == 10u ? 10u : 16u) + (byte & 0x0Fu) + (byte < 0x40u ? 0u : 9u);
         } else {
@@ -36,14 +36,14 @@ static inline uint32_t device_load_count(const uint8_t *in, size_t size, uint8_t
 static inline bool device_store_count(uint8_t *out, size_t size, uint8_t form, uint32_t number)
 {
     uint32_t base = form < 2u ? 256u : form == 10u ? 10u : 16u;
-    size_t at;
-    for (at = 0; at < size; at++) {
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
         uint32_t byte = number % base;
         if (form > 1u) {
             byte = byte < 10u ? 0x30u + byte : form + byte - 10u;
         }
         if (out != NULL) {
-            out[form == 1u ? at : size - 1u - at] = (uint8_t)byte;
+            out[form == 1u ? offset : size - 1u - offset] = (uint8_t)byte;
         }
         number /= base;
     }

@@ -3,10 +3,10 @@
 /** Whether all bytes are digits; `letter` is that for 10, 0 if digits are decimal, and `places` of them follow a point. */
 static inline bool device_is_digits(const uint8_t *in, size_t size, size_t places, uint8_t letter)
 {
-    size_t at;
-    for (at = 0; at < size; at++) {
-        uint32_t character = in[at];
-        if (places != 0u && at + places + 1u == size) {
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        uint32_t character = in[offset];
+        if (places != 0u && offset + places + 1u == size) {
             if (character != 0x2Eu) {
                 return false;
             }
@@ -22,11 +22,11 @@ static inline bool device_is_digits(const uint8_t *in, size_t size, size_t place
 static inline uint64_t device_load_digits(const uint8_t *in, size_t size, uint32_t base)
 {
     uint64_t value = 0;
-    size_t at;
-    for (at = 0; at < size; at++) {
-        uint32_t low = in[at] & 0x0Fu;
-        if (in[at] != 0x2Eu) {
-            value = value * base + ((in[at] & 0x40u) != 0u ? low + 9u : low);
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        uint32_t low = in[offset] & 0x0Fu;
+        if (in[offset] != 0x2Eu) {
+            value = value * base + ((in[offset] & 0x40u) != 0u ? low + 9u : low);
         }
     }
     return value;
@@ -36,13 +36,13 @@ static inline uint64_t device_load_digits(const uint8_t *in, size_t size, uint32
 static inline void device_store_digits(uint8_t *out, size_t size, size_t places, uint8_t letter, uint64_t value)
 {
     uint32_t base = letter == 0u ? 10u : 16u;
-    size_t at;
-    for (at = size; at > 0u; at--) {
+    size_t offset;
+    for (offset = size; offset > 0u; offset--) {
         uint32_t digit = (uint32_t)(value % base);
-        if (places != 0u && at + places == size) {
-            out[at - 1u] = 0x2Eu;
+        if (places != 0u && offset + places == size) {
+            out[offset - 1u] = 0x2Eu;
         } else {
-            out[at - 1u] = (uint8_t)(digit < 10u ? 0x30u + digit : letter + digit - 10u);
+            out[offset - 1u] = (uint8_t)(digit < 10u ? 0x30u + digit : letter + digit - 10u);
             value /= base;
         }
     }
@@ -76,40 +76,41 @@ static inline void device_store_signed_digits(uint8_t *out, size_t size, size_t 
 /** Where the digits after blanks and a sign begin. */
 static inline size_t device_behind_blanks(const uint8_t *in, size_t size)
 {
-    size_t at = 0;
-    while (at < size && in[at] == 0x20u) {
-        at++;
+    size_t offset = 0;
+    while (offset < size && in[offset] == 0x20u) {
+        offset++;
     }
-    return at < size && in[at] == 0x2Du ? at + 1u : at;
+    return offset < size && in[offset] == 0x2Du ? offset + 1u : offset;
 }
 
 /** Whether the bytes are decimal digits, of which `places` follow a point, with blanks in place of leading zeros. */
 static inline bool device_is_blank_digits(const uint8_t *in, size_t size, size_t places, bool is_signed)
 {
-    size_t at = device_behind_blanks(in, size);
-    size_t least = places == 0u ? 1u : places + 2u;
-    if (size - at < least || (in[at] == 0x30u && size - at > least) || (at > 0u && in[at - 1u] == 0x2Du && !is_signed)) {
+    size_t offset = device_behind_blanks(in, size);
+    size_t minimum = places == 0u ? 1u : places + 2u;
+    if (size - offset < minimum || (in[offset] == 0x30u && size - offset > minimum)
+            || (offset > 0u && in[offset - 1u] == 0x2Du && !is_signed)) {
         return false;
     }
-    return device_is_digits(in + at, size - at, places, 0u);
+    return device_is_digits(in + offset, size - offset, places, 0u);
 }
 
 /** The number of such digits; one below zero has the bits of its two's complement. */
 static inline uint64_t device_load_blank_digits(const uint8_t *in, size_t size)
 {
-    size_t at = device_behind_blanks(in, size);
-    uint64_t value = device_load_digits(in + at, size - at, 10u);
-    return at > 0u && in[at - 1u] == 0x2Du ? UINT64_C(0) - value : value;
+    size_t offset = device_behind_blanks(in, size);
+    uint64_t value = device_load_digits(in + offset, size - offset, 10u);
+    return offset > 0u && in[offset - 1u] == 0x2Du ? UINT64_C(0) - value : value;
 }
 
 /** Writes the digits of a number with blanks in place of leading zeros. */
 static inline void device_store_blank_digits(uint8_t *out, size_t size, size_t places, uint64_t value)
 {
-    size_t least = places == 0u ? 1u : places + 2u;
-    size_t at;
+    size_t minimum = places == 0u ? 1u : places + 2u;
+    size_t offset;
     device_store_digits(out, size, places, 0u, value);
-    for (at = 0; at + least < size && out[at] == 0x30u; at++) {
-        out[at] = 0x20u;
+    for (offset = 0; offset + minimum < size && out[offset] == 0x30u; offset++) {
+        out[offset] = 0x20u;
     }
 }
 
@@ -118,13 +119,13 @@ static inline void device_store_blank_digits(uint8_t *out, size_t size, size_t p
 /** Writes a number with blanks in place of leading zeros; `-` takes the place of one below zero. */
 static inline void device_store_signed_blank_digits(uint8_t *out, size_t size, size_t places, int64_t value)
 {
-    size_t at = 0;
+    size_t offset = 0;
     device_store_blank_digits(out, size, places, value < 0 ? (uint64_t)-value : (uint64_t)value);
-    while (at < size && out[at] == 0x20u) {
-        at++;
+    while (offset < size && out[offset] == 0x20u) {
+        offset++;
     }
-    if (value < 0 && at > 0u) {
-        out[at - 1u] = 0x2Du;
+    if (value < 0 && offset > 0u) {
+        out[offset - 1u] = 0x2Du;
     }
 }
 
@@ -134,9 +135,9 @@ static inline void device_store_signed_blank_digits(uint8_t *out, size_t size, s
 static inline uint64_t device_load_low_first_digits(const uint8_t *in, size_t size)
 {
     uint64_t value = 0;
-    size_t at;
-    for (at = size; at > 0u; at -= 2u) {
-        value = (value << 8) | device_load_digits(in + (at - 2u), 2u, 16u);
+    size_t offset;
+    for (offset = size; offset > 0u; offset -= 2u) {
+        value = (value << 8) | device_load_digits(in + (offset - 2u), 2u, 16u);
     }
     return value;
 }
@@ -144,9 +145,9 @@ static inline uint64_t device_load_low_first_digits(const uint8_t *in, size_t si
 /** Writes the hexadecimal digits of a number, those of its lowest byte first. */
 static inline void device_store_low_first_digits(uint8_t *out, size_t size, uint8_t letter, uint64_t value)
 {
-    size_t at;
-    for (at = 0; at < size; at += 2u) {
-        device_store_digits(out + at, 2u, 0u, letter, value & 0xFFu);
+    size_t offset;
+    for (offset = 0; offset < size; offset += 2u) {
+        device_store_digits(out + offset, 2u, 0u, letter, value & 0xFFu);
         value >>= 8;
     }
 }

@@ -11,32 +11,32 @@ static inline size_t device_text_unit_size(uint32_t encoding)
 }
 
 /**
- * The character at `*at` of UTF-8, after which `*at` is; 0xFFFFFFFF for bytes that are none. `turn` is 1 where the bytes
- * of each word are exchanged, else 0.
+ * The character at `*offset` of UTF-8, after which `*offset` is; 0xFFFFFFFF for bytes that are none. `turn` is 1 where the
+ * bytes of each word are exchanged, else 0.
  */
-static inline uint32_t device_next_utf_8(const uint8_t *in, size_t size, size_t *at, size_t turn)
+static inline uint32_t device_next_utf_8(const uint8_t *in, size_t size, size_t *offset, size_t turn)
 {
-    static const uint32_t least[] = {0u, 0x80u, 0x800u, 0x10000u};
-    uint32_t character = in[*at ^ turn];
-    uint32_t more = character < 0x80u ? 0u : character < 0xE0u ? 1u : character < 0xF0u ? 2u : 3u;
+    static const uint32_t minimum[] = {0u, 0x80u, 0x800u, 0x10000u};
+    uint32_t character = in[*offset ^ turn];
+    uint32_t following = character < 0x80u ? 0u : character < 0xE0u ? 1u : character < 0xF0u ? 2u : 3u;
     uint32_t left;
-    *at += 1u;
-    if (more == 0u) {
+    *offset += 1u;
+    if (following == 0u) {
         return character;
     }
-    if (character < 0xC2u || character > 0xF4u || size - *at < more) {
+    if (character < 0xC2u || character > 0xF4u || size - *offset < following) {
         return 0xFFFFFFFFu;
     }
-    character &= 0x3Fu >> more;
-    for (left = more; left > 0u; left--) {
-        uint32_t next = in[*at ^ turn];
+    character &= 0x3Fu >> following;
+    for (left = following; left > 0u; left--) {
+        uint32_t next = in[*offset ^ turn];
         if ((next & 0xC0u) != 0x80u) {
             return 0xFFFFFFFFu;
         }
         character = character << 6 | (next & 0x3Fu);
-        *at += 1u;
+        *offset += 1u;
     }
-    if (character < least[more] || character > 0x10FFFFu || (character >= 0xD800u && character <= 0xDFFFu)) {
+    if (character < minimum[following] || character > 0x10FFFFu || (character >= 0xD800u && character <= 0xDFFFu)) {
         return 0xFFFFFFFFu;
     }
     return character;
@@ -48,12 +48,12 @@ static inline size_t device_whole_text_size(size_t size, uint32_t encoding)
     return encoding > 7u ? size / 3u * 4u : size;
 }
 
-/** The character `at` of packed ASCII, four of which are in three bytes. `turn` is as in UTF-8. */
-static inline uint32_t device_packed_character(const uint8_t *in, size_t at, size_t turn)
+/** The character `offset` of packed ASCII, four of which are in three bytes. `turn` is as in UTF-8. */
+static inline uint32_t device_packed_character(const uint8_t *in, size_t offset, size_t turn)
 {
-    size_t first = at / 4u * 3u;
+    size_t first = offset / 4u * 3u;
     uint32_t number = (uint32_t)in[first ^ turn] << 16 | (uint32_t)in[(first + 1u) ^ turn] << 8 | in[(first + 2u) ^ turn];
-    uint32_t code = number >> (18u - 6u * (uint32_t)(at % 4u)) & 0x3Fu;
+    uint32_t code = number >> (18u - 6u * (uint32_t)(offset % 4u)) & 0x3Fu;
     return code < 0x20u ? code + 0x40u : code;
 }
 
@@ -61,50 +61,50 @@ static inline uint32_t device_packed_character(const uint8_t *in, size_t at, siz
 static inline void device_pack_text(uint8_t *out, const char *text, size_t length, size_t size, uint8_t padding,
                                     size_t before, uint8_t end)
 {
-    size_t at;
+    size_t offset;
     uint32_t bits = 0u;
-    for (at = 0; at < size / 3u * 4u; at++) {
-        bool is_text = at >= before && at - before < length;
-        bool is_end = at == before + length && end < 0x80u;
-        bits = bits << 6 | ((is_text ? (uint8_t)text[at - before] : is_end ? end : padding) & 0x3Fu);
-        if (at % 4u != 0u) {
-            out[at / 4u * 3u + at % 4u - 1u] = (uint8_t)(bits >> (6u - 2u * (uint32_t)(at % 4u)) & 0xFFu);
+    for (offset = 0; offset < size / 3u * 4u; offset++) {
+        bool is_text = offset >= before && offset - before < length;
+        bool is_end = offset == before + length && end < 0x80u;
+        bits = bits << 6 | ((is_text ? (uint8_t)text[offset - before] : is_end ? end : padding) & 0x3Fu);
+        if (offset % 4u != 0u) {
+            out[offset / 4u * 3u + offset % 4u - 1u] = (uint8_t)(bits >> (6u - 2u * (uint32_t)(offset % 4u)) & 0xFFu);
         }
     }
 }
 
-/** The unit at byte `at` of a text: a byte, 16 bits of UTF-16, or the character `at` of packed ASCII. */
-static inline uint32_t device_text_unit(const uint8_t *in, size_t at, uint32_t encoding)
+/** The unit at byte `offset` of a text: a byte, 16 bits of UTF-16, or the character `offset` of packed ASCII. */
+static inline uint32_t device_text_unit(const uint8_t *in, size_t offset, uint32_t encoding)
 {
     if (encoding > 7u) {
-        return device_packed_character(in, at, encoding == 9u ? 1u : 0u);
+        return device_packed_character(in, offset, encoding == 9u ? 1u : 0u);
     }
     if (encoding < 3u || encoding > 4u) {
-        return in[encoding > 4u ? at ^ 1u : at];
+        return in[encoding > 4u ? offset ^ 1u : offset];
     }
-    return encoding == 3u ? (uint32_t)in[at] << 8 | in[at + 1u] : (uint32_t)in[at + 1u] << 8 | in[at];
+    return encoding == 3u ? (uint32_t)in[offset] << 8 | in[offset + 1u] : (uint32_t)in[offset + 1u] << 8 | in[offset];
 }
 
-/** The character at `*at` of an encoding, after which `*at` is; 0xFFFFFFFF for bytes that are none. */
-static inline uint32_t device_next_character(const uint8_t *in, size_t size, size_t *at, uint32_t encoding)
+/** The character at `*offset` of an encoding, after which `*offset` is; 0xFFFFFFFF for bytes that are none. */
+static inline uint32_t device_next_character(const uint8_t *in, size_t size, size_t *offset, uint32_t encoding)
 {
     uint32_t character, second;
     if (encoding == 2u || encoding == 7u) {
-        return device_next_utf_8(in, size, at, encoding == 7u ? 1u : 0u);
+        return device_next_utf_8(in, size, offset, encoding == 7u ? 1u : 0u);
     }
-    character = device_text_unit(in, *at, encoding);
-    *at += device_text_unit_size(encoding);
+    character = device_text_unit(in, *offset, encoding);
+    *offset += device_text_unit_size(encoding);
     if (device_text_unit_size(encoding) == 1u) {
         return (encoding == 0u || encoding == 5u) && character > 0x7Fu ? 0xFFFFFFFFu : character;
     }
     if (character < 0xD800u || character > 0xDFFFu) {
         return character;
     }
-    if (character > 0xDBFFu || size - *at < 2u) {
+    if (character > 0xDBFFu || size - *offset < 2u) {
         return 0xFFFFFFFFu;
     }
-    second = device_text_unit(in, *at, encoding);
-    *at += 2u;
+    second = device_text_unit(in, *offset, encoding);
+    *offset += 2u;
     if (second < 0xDC00u || second > 0xDFFFu) {
         return 0xFFFFFFFFu;
     }
@@ -126,7 +126,7 @@ static inline size_t device_put_unit(uint8_t *out, uint32_t unit, uint32_t encod
 /** Writes a character to at most four bytes and returns their number; 0 for one that the encoding does not have. */
 static inline size_t device_put_character(uint8_t *out, uint32_t character, uint32_t encoding)
 {
-    size_t size = 1u, at;
+    size_t size = 1u, offset;
     if (encoding == 8u) {
         out[0] = (uint8_t)(character & 0xFFu);
         return character < 0x20u || character > 0x5Fu ? 0u : 1u;
@@ -143,8 +143,8 @@ static inline size_t device_put_character(uint8_t *out, uint32_t character, uint
         return character > (encoding == 0u ? 0x7Fu : 0xFFu) ? 0u : 1u;
     }
     size = character < 0x800u ? 2u : character < 0x10000u ? 3u : 4u;
-    for (at = size - 1u; at > 0u; at--) {
-        out[at] = (uint8_t)(0x80u | (character & 0x3Fu));
+    for (offset = size - 1u; offset > 0u; offset--) {
+        out[offset] = (uint8_t)(0x80u | (character & 0x3Fu));
         character >>= 6;
     }
     out[0] = (uint8_t)(((0xF00u >> size) & 0xF0u) | character);
@@ -156,7 +156,7 @@ static inline bool device_read_encoded_text(char *out, const uint8_t *in, size_t
                                             bool is_right, uint8_t end)
 {
     size_t unit = device_text_unit_size(encoding);
-    size_t at = 0, last, length = 0, byte;
+    size_t offset = 0, last, length = 0, byte;
     size = device_whole_text_size(size, encoding);
     last = size;
     if (end < 0x80u) {
@@ -166,17 +166,17 @@ static inline bool device_read_encoded_text(char *out, const uint8_t *in, size_t
             return false;
         }
     } else if (is_right) {
-        while (at < last && device_text_unit(in, at, encoding) == padding) {
-            at += unit;
+        while (offset < last && device_text_unit(in, offset, encoding) == padding) {
+            offset += unit;
         }
     } else {
-        while (last > at && device_text_unit(in, last - unit, encoding) == padding) {
+        while (last > offset && device_text_unit(in, last - unit, encoding) == padding) {
             last -= unit;
         }
     }
-    while (at < last) {
+    while (offset < last) {
         uint8_t bytes[4];
-        uint32_t character = device_next_character(in, last, &at, encoding);
+        uint32_t character = device_next_character(in, last, &offset, encoding);
         size_t written;
         if (character == 0u || character == 0xFFFFFFFFu) {
             return false;
@@ -219,20 +219,20 @@ static inline bool device_write_encoded_text(uint8_t *out, const char *text, siz
     size_t unit = device_text_unit_size(encoding);
     size_t whole = device_whole_text_size(size, encoding);
     size_t room = end < 0x80u ? whole - unit : whole;
-    size_t length = 0, total = 0, at, byte;
+    size_t length = 0, total = 0, offset, byte;
     uint8_t bytes[4];
     encoding -= !is_turned ? 0u : encoding > 7u ? 1u : 5u;
     while (length < capacity && text[length] != '\0') {
         length++;
     }
-    for (at = 0; at < length;) {
-        bool is_first = at == 0u;
-        uint32_t character = device_next_utf_8(in, length, &at, 0u);
+    for (offset = 0; offset < length;) {
+        bool is_first = offset == 0u;
+        uint32_t character = device_next_utf_8(in, length, &offset, 0u);
         size_t written = character == 0xFFFFFFFFu ? 0u : device_put_character(bytes, character, encoding);
         if (written == 0u || written > room - total || (end < 0x80u && character == end)) {
             return false;
         }
-        if (end > 0x7Fu && character == padding && (is_right ? is_first : at == length)) {
+        if (end > 0x7Fu && character == padding && (is_right ? is_first : offset == length)) {
             return false;
         }
         total += written;
@@ -244,12 +244,12 @@ static inline bool device_write_encoded_text(uint8_t *out, const char *text, siz
         device_pack_text(out, text, length, size, padding, is_right ? whole - total : 0u, end);
         length = 0u;
     }
-    for (at = encoding > 7u ? size : 0u; at < size; at += unit) {
-        (void)device_put_unit(out + at, padding, encoding);
+    for (offset = encoding > 7u ? size : 0u; offset < size; offset += unit) {
+        (void)device_put_unit(out + offset, padding, encoding);
     }
     out += is_right && encoding < 8u ? size - total : 0u;
-    for (at = 0; at < length;) {
-        size_t written = device_put_character(bytes, device_next_utf_8(in, length, &at, 0u), encoding);
+    for (offset = 0; offset < length;) {
+        size_t written = device_put_character(bytes, device_next_utf_8(in, length, &offset, 0u), encoding);
         for (byte = 0; byte < written; byte++) {
             out[byte] = bytes[byte];
         }
@@ -258,10 +258,10 @@ static inline bool device_write_encoded_text(uint8_t *out, const char *text, siz
     if (end < 0x80u && encoding < 8u) {
         (void)device_put_unit(out, end, encoding);
     }
-    for (at = 0; is_turned && at < size; at += 2u) {
-        uint8_t low = first[at];
-        first[at] = first[at + 1u];
-        first[at + 1u] = low;
+    for (offset = 0; is_turned && offset < size; offset += 2u) {
+        uint8_t low = first[offset];
+        first[offset] = first[offset + 1u];
+        first[offset + 1u] = low;
     }
     return true;
 }

@@ -12,14 +12,14 @@ static inline void device_move_up(uint8_t *data, size_t size, size_t room)
 /* ---- replace ---- */
 
 /** The row of the table for a byte, or for the two bytes that are sent for it; ROWS if there is none. */
-static inline size_t device_ROW(uint8_t first, uint8_t second, bool sent)
+static inline size_t device_ROW(uint8_t first, uint8_t second, bool is_sent)
 {
     static const uint8_t pairs[ROWS][3] = {
 PAIRS
     };
     size_t row;
     for (row = 0; row < ROWS; row++) {
-        if (sent ? pairs[row][1] == first && pairs[row][2] == second : pairs[row][0] == first) {
+        if (is_sent ? pairs[row][1] == first && pairs[row][2] == second : pairs[row][0] == first) {
             break;
         }
     }
@@ -30,25 +30,25 @@ PAIRS
 static inline device_codec_status device_ESCAPE(
     uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
 {
-    static const uint8_t sent[ROWS][2] = {
+    static const uint8_t sent_bytes[ROWS][2] = {
 SENT
     };
-    size_t size = *length - head - tail, room = 0, at, to = head;
-    for (at = 0; at < size; at++) {
-        room += device_ROW(data[head + at], 0, false) < ROWS ? 1u : 0u;
+    size_t size = *length - head - tail, room = 0, offset, to = head;
+    for (offset = 0; offset < size; offset++) {
+        room += device_ROW(data[head + offset], 0, false) < ROWS ? 1u : 0u;
     }
     if (room > capacity - *length) {
         return DEVICE_ERR_CAPACITY;
     }
     device_move_up(data + head, size + tail, room);
-    for (at = head + room; at < head + room + size; at++) {
-        size_t row = device_ROW(data[at], 0, false);
+    for (offset = head + room; offset < head + room + size; offset++) {
+        size_t row = device_ROW(data[offset], 0, false);
         if (row < ROWS) {
-            data[to] = sent[row][0];
-            data[to + 1u] = sent[row][1];
+            data[to] = sent_bytes[row][0];
+            data[to + 1u] = sent_bytes[row][1];
             to += 2u;
         } else {
-            data[to] = data[at];
+            data[to] = data[offset];
             to++;
         }
     }
@@ -60,23 +60,23 @@ SENT
 static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length, size_t head, size_t tail)
 {
     static const uint8_t originals[ROWS] = {ORIGINALS};
-    size_t stop = *length - tail, at = head, to = head;
-    while (at < stop) {
+    size_t stop = *length - tail, offset = head, to = head;
+    while (offset < stop) {
         if (SPECIAL) {
-            size_t row = at + 1u < stop ? device_ROW(data[at], data[at + 1u], true) : ROWS;
+            size_t row = offset + 1u < stop ? device_ROW(data[offset], data[offset + 1u], true) : ROWS;
             if (row >= ROWS) {
                 return DEVICE_ERR_WRONG_MARK;
             }
             data[to] = originals[row];
-            at += 2u;
+            offset += 2u;
         } else {
-            data[to] = data[at];
-            at++;
+            data[to] = data[offset];
+            offset++;
         }
         to++;
     }
-    for (at = 0; at < tail; at++) {
-        data[to + at] = data[stop + at];
+    for (offset = 0; offset < tail; offset++) {
+        data[to + offset] = data[stop + offset];
     }
     *length = to + tail;
     return DEVICE_OK;
@@ -88,12 +88,12 @@ static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length,
 static inline bool device_ROW(const uint8_t *data, size_t begin, size_t end)
 {
     static const uint8_t pattern[ROWS] = {PATTERN};
-    size_t at;
+    size_t offset;
     if (end - begin < ROWS) {
         return false;
     }
-    for (at = 0; at < ROWS; at++) {
-        if (data[end - ROWS + at] != pattern[at]) {
+    for (offset = 0; offset < ROWS; offset++) {
+        if (data[end - ROWS + offset] != pattern[offset]) {
             return false;
         }
     }
@@ -104,11 +104,11 @@ static inline bool device_ROW(const uint8_t *data, size_t begin, size_t end)
 static inline device_codec_status device_ESCAPE(
     uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
 {
-    size_t size = *length - head - tail, room = 0, at, begin = head, to = head;
-    for (at = head; at < head + size; at++) {
-        if (device_ROW(data, begin, at + 1u)) {
+    size_t size = *length - head - tail, room = 0, offset, begin = head, to = head;
+    for (offset = head; offset < head + size; offset++) {
+        if (device_ROW(data, begin, offset + 1u)) {
             room++;
-            begin = at + 1u;
+            begin = offset + 1u;
         }
     }
     if (room > capacity - *length) {
@@ -116,8 +116,8 @@ static inline device_codec_status device_ESCAPE(
     }
     device_move_up(data + head, size + tail, room);
     begin = head;
-    for (at = head + room; at < head + room + size; at++) {
-        data[to] = data[at];
+    for (offset = head + room; offset < head + room + size; offset++) {
+        data[to] = data[offset];
         to++;
         if (device_ROW(data, begin, to)) {
             data[to] = INSERTED;
@@ -132,21 +132,21 @@ static inline device_codec_status device_ESCAPE(
 /** Turns the bytes between `head` and `tail` bytes back into the original ones. */
 static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length, size_t head, size_t tail)
 {
-    size_t stop = *length - tail, at = head, to = head, begin = head;
-    while (at < stop) {
-        data[to] = data[at];
-        at++;
+    size_t stop = *length - tail, offset = head, to = head, begin = head;
+    while (offset < stop) {
+        data[to] = data[offset];
+        offset++;
         to++;
         if (device_ROW(data, begin, to)) {
-            if (at >= stop || data[at] != INSERTED) {
+            if (offset >= stop || data[offset] != INSERTED) {
                 return DEVICE_ERR_WRONG_MARK;
             }
-            at++;
+            offset++;
             begin = to;
         }
     }
-    for (at = 0; at < tail; at++) {
-        data[to + at] = data[stop + at];
+    for (offset = 0; offset < tail; offset++) {
+        data[to + offset] = data[stop + offset];
     }
     *length = to + tail;
     return DEVICE_OK;
@@ -157,18 +157,18 @@ static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length,
 /** Turns the bytes between `head` and `tail` bytes into those that are sent. */
 static inline void device_ESCAPE(uint8_t *data, size_t length, size_t head, size_t tail)
 {
-    size_t at;
-    for (at = head; at < length - tail; at++) {
-        data[at] = (uint8_t)((data[at] + INSERTED) & 0xFFu);
+    size_t offset;
+    for (offset = head; offset < length - tail; offset++) {
+        data[offset] = (uint8_t)((data[offset] + INSERTED) & 0xFFu);
     }
 }
 
 /** Turns the bytes between `head` and `tail` bytes back into the original ones. */
 static inline void device_UNESCAPE(uint8_t *data, size_t length, size_t head, size_t tail)
 {
-    size_t at;
-    for (at = head; at < length - tail; at++) {
-        data[at] = (uint8_t)((data[at] - INSERTED) & 0xFFu);
+    size_t offset;
+    for (offset = head; offset < length - tail; offset++) {
+        data[offset] = (uint8_t)((data[offset] - INSERTED) & 0xFFu);
     }
 }
 
@@ -178,13 +178,13 @@ static inline void device_UNESCAPE(uint8_t *data, size_t length, size_t head, si
 static inline device_codec_status device_ESCAPE(
     uint8_t *data, size_t *length, size_t head, size_t tail, size_t capacity)
 {
-    size_t size = *length - head - tail, room = 1, at, block = 0, to = head, code;
-    for (at = 0; at < size; at++) {
+    size_t size = *length - head - tail, room = 1, offset, block = 0, to = head, code;
+    for (offset = 0; offset < size; offset++) {
         if (block == 254u) {
             room++;
             block = 0;
         }
-        block = data[head + at] == 0u ? 0u : block + 1u;
+        block = data[head + offset] == 0u ? 0u : block + 1u;
     }
     if (room > capacity - *length) {
         return DEVICE_ERR_CAPACITY;
@@ -192,8 +192,8 @@ static inline device_codec_status device_ESCAPE(
     device_move_up(data + head, size + tail, room);
     code = to;
     to++;
-    for (at = head + room; at < head + room + size; at++) {
-        uint8_t byte = data[at];
+    for (offset = head + room; offset < head + room + size; offset++) {
+        uint8_t byte = data[offset];
         if (to - code == 255u) {
             data[code] = 0xFFu;
             code = to;
@@ -215,31 +215,31 @@ static inline device_codec_status device_ESCAPE(
 /** Turns the blocks between `head` and `tail` bytes back into the original bytes. */
 static inline device_codec_status device_UNESCAPE(uint8_t *data, size_t *length, size_t head, size_t tail)
 {
-    size_t stop = *length - tail, at = head, to = head, end;
+    size_t stop = *length - tail, offset = head, to = head, end;
     uint8_t code;
-    if (at == stop) {
+    if (offset == stop) {
         return DEVICE_ERR_WRONG_MARK;
     }
-    while (at < stop) {
-        code = data[at];
-        if (code == 0u || code > stop - at) {
+    while (offset < stop) {
+        code = data[offset];
+        if (code == 0u || code > stop - offset) {
             return DEVICE_ERR_WRONG_MARK;
         }
-        end = at + code;
-        for (at++; at < end; at++) {
-            if (data[at] == 0u) {
+        end = offset + code;
+        for (offset++; offset < end; offset++) {
+            if (data[offset] == 0u) {
                 return DEVICE_ERR_WRONG_MARK;
             }
-            data[to] = data[at];
+            data[to] = data[offset];
             to++;
         }
-        if (code < 0xFFu && at < stop) {
+        if (code < 0xFFu && offset < stop) {
             data[to] = 0u;
             to++;
         }
     }
-    for (at = 0; at < tail; at++) {
-        data[to + at] = data[stop + at];
+    for (offset = 0; offset < tail; offset++) {
+        data[to + offset] = data[stop + offset];
     }
     *length = to + tail;
     return DEVICE_OK;
@@ -256,11 +256,11 @@ static inline device_codec_status device_ESCAPE(
 FIELDS
     };
     uint32_t identifier = FLAGS, number;
-    size_t at = head, row, byte, size = *length - head - tail - SIZE, content = size;
+    size_t offset = head, row, byte, size = *length - head - tail - SIZE, content = size;
     for (row = 0; row < ROWS; row++) {
         number = 0;
         for (byte = 0; byte < fields[row][0]; byte++) {
-            number |= (uint32_t)data[at + byte] << (8u * (fields[row][1] != 0u ? byte : fields[row][0] - 1u - byte));
+            number |= (uint32_t)data[offset + byte] << (8u * (fields[row][1] != 0u ? byte : fields[row][0] - 1u - byte));
         }
         identifier |= number & ((uint32_t)fields[row][4] << 24u); /* if REMOTE */
         number &= ~((uint32_t)fields[row][4] << 24u);             /* if REMOTE */
@@ -268,10 +268,10 @@ FIELDS
             return DEVICE_ERR_OUT_OF_RANGE;
         }
         identifier |= number << fields[row][2];
-        at += fields[row][0];
+        offset += fields[row][0];
     }
     if ((identifier & REMOTE) != 0u) {             /* if REMOTE */
-        size = content == 1u ? data[at] : content; /* if REMOTE */
+        size = content == 1u ? data[offset] : content; /* if REMOTE */
         content = 0;                               /* if REMOTE */
     }                                              /* if REMOTE */
     if (size > 8u) {
@@ -295,7 +295,7 @@ FIELDS
     };
     uint32_t identifier, number;
     uint32_t remote; /* if REMOTE */
-    size_t at = head, row, byte, size = *length - head - tail;
+    size_t offset = head, row, byte, size = *length - head - tail;
     uint8_t dlc;
     if (size < 8u || size > 16u) {
         return DEVICE_ERR_WRONG_MARK;
@@ -311,16 +311,16 @@ FIELDS
         number = (identifier >> fields[row][2]) & (((uint32_t)1u << fields[row][3]) - 1u);
         number |= remote & ((uint32_t)fields[row][4] << 24u); /* if REMOTE */
         for (byte = 0; byte < fields[row][0]; byte++) {
-            data[at + byte] =
+            data[offset + byte] =
                 (uint8_t)(number >> (8u * (fields[row][1] != 0u ? byte : fields[row][0] - 1u - byte)));
         }
-        at += fields[row][0];
+        offset += fields[row][0];
     }
     for (byte = 8u; byte < size; byte++) {
         data[byte + SIZE - 8u] = data[byte];
     }
     if (remote != 0u) { /* if REMOTE */
-        data[at] = dlc; /* if REMOTE */
+        data[offset] = dlc; /* if REMOTE */
         size++;         /* if REMOTE */
     }                   /* if REMOTE */
     *length = size + SIZE - 8u;

@@ -3,10 +3,10 @@
 /**
  * Writes the image of a list whose elements differ in size or tell whether others follow, unless `image` is NULL: as many
  * of them as have `size` bytes there, or all to the end, where that is SIZE_MAX. `*size` receives the bytes in the image,
- * `*taken` those that were read.
+ * `*read_size` those that were read.
  */
 static inline device_codec_status device_take_elements(const device_inner_list *list, const uint8_t *in, size_t left,
-        uint8_t *image, size_t *size, size_t *taken)
+        uint8_t *image, size_t *size, size_t *read_size)
 {
     size_t from = 0, to = 0;
     while (*size == SIZE_MAX ? from < left : to < *size) {
@@ -34,7 +34,7 @@ static inline device_codec_status device_take_elements(const device_inner_list *
         to += list->element;
     }
     *size = to;
-    *taken = from;
+    *read_size = from;
     return to < list->least ? DEVICE_ERR_INCOMPLETE : DEVICE_OK;
 }
 
@@ -43,11 +43,11 @@ static inline device_codec_status device_take_elements(const device_inner_list *
  * ends with these. Writes the image of elements that differ in size or tell whether others follow.
  */
 static inline device_codec_status device_take_list(const device_inner_list *list, const uint8_t *fields, const uint8_t *in,
-        size_t left, bool is_last, uint8_t *image, size_t *size, size_t *taken)
+        size_t left, bool is_last, uint8_t *image, size_t *size, size_t *read_size)
 {
     device_codec_status status;
     *size = SIZE_MAX;
-    *taken = left;
+    *read_size = left;
     if (!device_is_count(fields + list->count_at, list->count_size, list->count_form)) {
         return DEVICE_ERR_UNKNOWN_VALUE;
     }
@@ -55,17 +55,17 @@ static inline device_codec_status device_take_list(const device_inner_list *list
         *size = device_first_element(list, fields);
     } else if (list->decided_size != NULL) {
         status = device_take_decided(list, fields, size);
-        *taken = *size;
+        *read_size = *size;
         return status;
     } else if (list->counts_sent) {
-        *taken = device_measured_bytes(list, fields);
-        if (*taken == SIZE_MAX || (is_last && *taken != left)) {
+        *read_size = device_measured_bytes(list, fields);
+        if (*read_size == SIZE_MAX || (is_last && *read_size != left)) {
             return DEVICE_ERR_WRONG_MEASURE;
         }
-        if (*taken > left) {
+        if (*read_size > left) {
             return DEVICE_OK;
         }
-        status = device_take_elements(list, in, *taken, image, size, taken);
+        status = device_take_elements(list, in, *read_size, image, size, read_size);
         return status == DEVICE_ERR_INCOMPLETE || status == DEVICE_ERR_WRONG_LENGTH ? DEVICE_ERR_WRONG_MEASURE : status;
     } else if (!is_last) {
         *size = device_list_size(list, fields);
@@ -74,16 +74,16 @@ static inline device_codec_status device_take_list(const device_inner_list *list
         }
     }
     if (list->element_size != NULL || list->follows != NULL) {
-        return device_take_elements(list, in, left, image, size, taken);
+        return device_take_elements(list, in, left, image, size, read_size);
     }
     if (*size == SIZE_MAX && list->bits != 0u) {
         *size = 8u * left / list->bits * list->element;
         *size = *size < list->most ? *size : list->most;
-        *taken = device_list_bytes(list, *size);
+        *read_size = device_list_bytes(list, *size);
         return *size < list->least ? DEVICE_ERR_INCOMPLETE : DEVICE_OK;
     }
     *size = *size == SIZE_MAX ? left : *size;
-    *taken = device_list_bytes(list, *size);
+    *read_size = device_list_bytes(list, *size);
     return DEVICE_OK;
 }
 
@@ -94,56 +94,57 @@ static inline device_codec_status device_take_list(const device_inner_list *list
 static inline size_t device_sent_size(const device_inner_list *lists, size_t count, size_t fixed, uint8_t *fields,
         const uint8_t *in, size_t left)
 {
-    size_t index, at = 0, from = 0;
+    size_t index, offset = 0, from = 0;
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
         device_codec_status status;
-        size_t size, taken;
-        if (left < from + (list->first - at)) {
+        size_t size, read_size;
+        if (left < from + (list->first - offset)) {
             break;
         }
-        device_copy_bytes(fields + at, in + from, list->first - at);
-        from += list->first - at;
-        at = list->first;
-        status = device_take_list(list, fields, in + from, left - from, false, NULL, &size, &taken);
+        device_copy_bytes(fields + offset, in + from, list->first - offset);
+        from += list->first - offset;
+        offset = list->first;
+        status = device_take_list(list, fields, in + from, left - from, false, NULL, &size, &read_size);
         if (status != DEVICE_OK) {
             return status == DEVICE_ERR_INCOMPLETE ? left + 1u : status == DEVICE_ERR_UNKNOWN_VALUE ? SIZE_MAX : 0u;
         }
-        from += taken;
+        from += read_size;
         if (from > left) {
             break;
         }
     }
-    return from + (fixed - at);
+    return from + (fixed - offset);
 }
 
 /** Writes the image of a record with lists, whose other fields have `fixed` bytes. */
 static inline device_codec_status device_take_lists(const device_inner_list *lists, size_t count, size_t fixed,
         const uint8_t *in, size_t length, uint8_t *image, size_t *image_length)
 {
-    size_t index, at = 0, from = 0;
+    size_t index, offset = 0, from = 0;
     device_codec_status result = DEVICE_OK;
+    image[0] = 0u; /* compilers do not know that nothing counts a list before all fields */
     *image_length = fixed;
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
         bool is_last = index + 1u == count;
         device_codec_status status;
-        size_t left, size, taken, rest;
-        if (length - from < fixed - at) {
+        size_t left, size, read_size, rest;
+        if (length - from < fixed - offset) {
             return DEVICE_ERR_INCOMPLETE;
         }
-        device_copy_bytes(image + at, in + from, list->first - at);
-        from += list->first - at;
-        at = list->first;
-        left = length - from - (fixed - at);
-        status = device_take_list(list, image, in + from, left, is_last, image + list->room, &size, &taken);
+        device_copy_bytes(image + offset, in + from, list->first - offset);
+        from += list->first - offset;
+        offset = list->first;
+        left = length - from - (fixed - offset);
+        status = device_take_list(list, image, in + from, left, is_last, image + list->room, &size, &read_size);
         if (status != DEVICE_OK) {
             return status;
         }
-        if (taken > left) {
+        if (read_size > left) {
             return DEVICE_ERR_INCOMPLETE;
         }
-        if (is_last && taken < left) {
+        if (is_last && read_size < left) {
             return DEVICE_ERR_WRONG_LENGTH;
         }
         if (list->bits != 0u) {
@@ -169,10 +170,10 @@ static inline device_codec_status device_take_lists(const device_inner_list *lis
         if (list->counts_sent) {
             device_store_list_number(list, image, list->decided_size != NULL ? 1u : size / list->element);
         }
-        from += taken;
+        from += read_size;
         *image_length = list->room + (list->decided_size != NULL && list->follows == NULL ? list->most : size);
     }
-    device_copy_bytes(image + at, in + from, fixed - at);
+    device_copy_bytes(image + offset, in + from, fixed - offset);
     return result;
 }
 
@@ -228,13 +229,14 @@ static inline size_t device_before(const device_inner_list *lists, size_t index,
 static inline device_codec_status device_place_lists(const device_inner_list *lists, size_t count, size_t fixed,
         const uint8_t *image, size_t image_length, uint8_t *out, size_t capacity, size_t *length)
 {
-    size_t index, at = 0, to = 0, total = fixed;
+    size_t index, offset = 0, to = 0, total = fixed;
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
         size_t size = index + 1u < count ? device_list_size(list, image) : image_length - list->room;
         size_t own = device_place_list(list, image, size, NULL);
-        uint32_t sent = (uint32_t)((long)own + list->sent_plus);
-        if (list->counts_sent && list->mask == 0u && !device_store_count(NULL, list->count_size, list->count_form, sent)) {
+        uint32_t sent_size = (uint32_t)((long)own + list->sent_plus);
+        if (list->counts_sent && list->mask == 0u
+                && !device_store_count(NULL, list->count_size, list->count_form, sent_size)) {
             return DEVICE_ERR_OUT_OF_RANGE;
         }
         if (list->counts_sent && list->mask != 0u && device_measured_bytes(list, image) != own) {
@@ -248,16 +250,16 @@ static inline device_codec_status device_place_lists(const device_inner_list *li
     for (index = 0; index < count; index++) {
         const device_inner_list *list = &lists[index];
         size_t own, size = index + 1u < count ? device_list_size(list, image) : image_length - list->room;
-        device_copy_bytes(out + to, image + at, list->first - at);
-        to += list->first - at;
-        at = list->first;
+        device_copy_bytes(out + to, image + offset, list->first - offset);
+        to += list->first - offset;
+        offset = list->first;
         own = device_place_list(list, image, size, out + to);
         if (list->counts_sent) {
             device_store_list_number(list, out + device_before(lists, index, image), (size_t)((long)own + list->sent_plus));
         }
         to += own;
     }
-    device_copy_bytes(out + to, image + at, fixed - at);
+    device_copy_bytes(out + to, image + offset, fixed - offset);
     *length = total;
     return DEVICE_OK;
 }

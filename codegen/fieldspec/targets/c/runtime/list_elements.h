@@ -99,10 +99,10 @@ static inline device_codec_status device_take_decided(const device_inner_list *l
 }
 
 /** The elements of a list with a first one, in an image with room for at most some of them. */
-static inline size_t device_count_elements(device_follows follows, const uint8_t *image, size_t element, size_t most)
+static inline size_t device_count_elements(device_follows follows, const uint8_t *image, size_t element, size_t maximum)
 {
     size_t count = 1u;
-    while (count < most && follows(image + (count - 1u) * element) != 0u) {
+    while (count < maximum && follows(image + (count - 1u) * element) != 0u) {
         count++;
     }
     return count;
@@ -144,9 +144,9 @@ static inline size_t device_list_size(const device_inner_list *list, const uint8
 
 static inline void device_copy_bytes(uint8_t *to, const uint8_t *from, size_t size)
 {
-    size_t at;
-    for (at = 0; at < size; at++) {
-        to[at] = from[at];
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        to[offset] = from[offset];
     }
 }
 
@@ -170,18 +170,18 @@ static inline size_t device_load_marked(uint8_t *data, const uint8_t *image, siz
 /** Writes bytes of varying length with the mark into `size` bytes of an image. */
 static inline void device_store_marked(uint8_t *image, const uint8_t *data, size_t count, size_t size)
 {
-    size_t at;
+    size_t offset;
     device_copy_bytes(image, data, count);
-    for (at = count; at < size; at++) {
-        image[at] = at == count ? 1u : 0u;
+    for (offset = count; offset < size; offset++) {
+        image[offset] = offset == count ? 1u : 0u;
     }
 }
 
 /** The bytes of a text before the first zero. */
-static inline size_t device_text_bytes(const uint8_t *text, size_t most)
+static inline size_t device_text_bytes(const uint8_t *text, size_t maximum)
 {
     size_t size = 0;
-    while (size < most && text[size] != 0u) {
+    while (size < maximum && text[size] != 0u) {
         size++;
     }
     return size;

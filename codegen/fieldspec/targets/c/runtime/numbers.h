@@ -72,9 +72,9 @@ DEVICE_INLINE uint64_t device_bits_of_double(double value)
 
 static inline bool device_is_ascii(const uint8_t *in, size_t size)
 {
-    size_t at;
-    for (at = 0; at < size; at++) {
-        if (in[at] > 127u) {
+    size_t offset;
+    for (offset = 0; offset < size; offset++) {
+        if (in[offset] > 127u) {
             return false;
         }
     }
@@ -84,9 +84,9 @@ static inline bool device_is_ascii(const uint8_t *in, size_t size)
 /** Whether a text of at most `size` characters is ASCII. */
 static inline bool device_is_text(const char *text, size_t size)
 {
-    size_t at;
-    for (at = 0; at < size && text[at] != '\0'; at++) {
-        if ((uint8_t)text[at] > 127u) {
+    size_t offset;
+    for (offset = 0; offset < size && text[offset] != '\0'; offset++) {
+        if ((uint8_t)text[offset] > 127u) {
             return false;
         }
     }
@@ -96,10 +96,10 @@ static inline bool device_is_text(const char *text, size_t size)
 /** Writes a text of at most `size` characters, padded with zeros. */
 static inline void device_put_text(uint8_t *out, const char *text, size_t size)
 {
-    size_t at;
+    size_t offset;
     DEVICE_CLEAR(out, size);
-    for (at = 0; at < size && text[at] != '\0'; at++) {
-        out[at] = (uint8_t)text[at];
+    for (offset = 0; offset < size && text[offset] != '\0'; offset++) {
+        out[offset] = (uint8_t)text[offset];
     }
 }
 

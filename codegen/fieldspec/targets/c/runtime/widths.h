@@ -32,7 +32,7 @@ static inline size_t device_width_whole(const device_width *field)
 static inline bool device_widen_digits(const device_width *field, const uint8_t *in, size_t length, uint8_t *out)
 {
     size_t room = device_width_whole(field);
-    size_t whole = 0, fraction = 0, skipped = 0, at, sent;
+    size_t whole = 0, fraction = 0, skipped = 0, offset, sent_size;
     bool is_negative = false;
     if (field->has_sign) {
         out[0] = 0x2Bu;
@@ -54,29 +54,29 @@ static inline bool device_widen_digits(const device_width *field, const uint8_t 
             return false;
         }
     }
-    for (at = 0; at < length; at++) {
-        if (at != whole && !device_width_digit(field, in[at])) {
+    for (offset = 0; offset < length; offset++) {
+        if (offset != whole && !device_width_digit(field, in[offset])) {
             return false;
         }
-        if (at != whole && in[at] != 0x30u) {
+        if (offset != whole && in[offset] != 0x30u) {
             is_negative = field->has_sign && out[0] == 0x2Du;
         }
     }
     while (skipped + 1u < whole && in[skipped] == 0x30u) {
         skipped++;
     }
-    sent = whole - skipped + (field->most - room) + (is_negative ? 1u : 0u);
-    if (sent > field->most) {
+    sent_size = whole - skipped + (field->most - room) + (is_negative ? 1u : 0u);
+    if (sent_size > field->most) {
         return false;
     }
     out += field->has_sign ? 1 : 0;
-    for (at = 0; at < room; at++) {
-        out[at] = at + whole < room + skipped ? 0x30u : in[at + whole - room];
+    for (offset = 0; offset < room; offset++) {
+        out[offset] = offset + whole < room + skipped ? 0x30u : in[offset + whole - room];
     }
     if (field->places != 0u) {
         out[room] = 0x2Eu;
-        for (at = 0; at < field->places; at++) {
-            out[room + 1u + at] = at < fraction ? in[whole + 1u + at] : 0x30u;
+        for (offset = 0; offset < field->places; offset++) {
+            out[room + 1u + offset] = offset < fraction ? in[whole + 1u + offset] : 0x30u;
         }
     }
     return true;
@@ -85,18 +85,18 @@ static inline bool device_widen_digits(const device_width *field, const uint8_t 
 /** Writes the image of the bytes of a field; false for bytes that are not those of its value. */
 static inline bool device_widen(const device_width *field, const uint8_t *in, size_t length, uint8_t *out)
 {
-    size_t at;
+    size_t offset;
     if (length > field->most) {
         return false;
     }
     if (field->form != 1u) {
         return device_widen_digits(field, in, length, out);
     }
-    for (at = 0; at < field->size; at++) {
-        if (at < length && in[at] == 0u) {
+    for (offset = 0; offset < field->size; offset++) {
+        if (offset < length && in[offset] == 0u) {
             return false;
         }
-        out[at] = at < length ? in[at] : 0u;
+        out[offset] = offset < length ? in[offset] : 0u;
     }
     return true;
 }
@@ -107,7 +107,7 @@ static inline device_codec_status device_widen_fields(const device_width *fields
 {
     bool is_unfit = false;
     uint8_t *image = out;
-    size_t at = 0, number;
+    size_t offset = 0, number;
     for (number = 0; number < count; number++) {
         const device_width *field = &fields[number];
         bool is_counted = field->most != 0u && field->other_size != 0u;
@@ -126,27 +126,27 @@ static inline device_codec_status device_widen_fields(const device_width *fields
             size = (size_t)(counted - field->plus);
             device_store_count(counting, field->count_size, field->count_form, (uint32_t)(field->size + field->plus));
         } else {
-            while (at + size < length && in[at + size] != field->end) {
+            while (offset + size < length && in[offset + size] != field->end) {
                 size++;
             }
         }
-        if (size > length - at || (field->most != 0u && field->end < 0x100u && at + size == length)) {
+        if (size > length - offset || (field->most != 0u && field->end < 0x100u && offset + size == length)) {
             return is_unfit ? DEVICE_ERR_UNKNOWN_VALUE : DEVICE_ERR_INCOMPLETE;
         }
         if (field->most == 0u) {
             for (byte = 0; byte < size; byte++) {
-                out[byte] = in[at + byte];
+                out[byte] = in[offset + byte];
             }
-        } else if (!device_widen(field, in + at, size, out)) {
+        } else if (!device_widen(field, in + offset, size, out)) {
             is_unfit = true;
         }
-        at += size;
+        offset += size;
         out += field->size;
     }
     if (is_unfit) {
         return DEVICE_ERR_UNKNOWN_VALUE;
     }
-    return at == length ? DEVICE_OK : DEVICE_ERR_WRONG_LENGTH;
+    return offset == length ? DEVICE_OK : DEVICE_ERR_WRONG_LENGTH;
 }
 
 /** Writes what is sent of the image of a record. */
