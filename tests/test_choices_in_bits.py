@@ -54,9 +54,9 @@ def test_data_of_a_case_without_data_may_be_left_out() -> None:
     frame = frame_of("00 13")
     values = BUS.decode(frame, "response").values
     (record,) = METERS.decode_response(frame).message.records
-    given = {name: value for name, value in values["records"][0].items() if name != "data"}
-    assert BUS.encode("response", "variable_data", {**values, "records": [given], **HEAD}) == frame
-    assert type(record)(**{name: getattr(record, name) for name in given}) == record
+    sent = {name: value for name, value in values["records"][0].items() if name != "data"}
+    assert BUS.encode("response", "variable_data", {**values, "records": [sent], **HEAD}) == frame
+    assert type(record)(**{name: getattr(record, name) for name in sent}) == record
 
 
 @pytest.mark.parametrize(
