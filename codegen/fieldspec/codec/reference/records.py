@@ -291,7 +291,7 @@ def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device
 
 
 def _implied(field: FieldLayout) -> Any:
-    """The value of a field that users do not set: its constant, no bytes, or of a reserved field its default or zeros."""
+    """The value of a field that users do not set: its constant, no bytes, or a reserved field's default or zeros."""
     value = field.value
     implied: Any = None
     if value is not None and value.const is not None:

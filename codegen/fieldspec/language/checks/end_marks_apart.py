@@ -5,9 +5,9 @@ Why: if an element is the end delimiter, receivers end the frame there: the rest
 Example: `{name: data, type: u8, repeat: 1..16}` as the last field, on a link with `end: "0D"`, without a length, a
 checksum or an `escape`.
 
-Fix: State the `range` of the elements, such as `range: 0x20..0x7E` for printable characters, or `range: "0..12, 14..255"`.
-If the frame has a length, a checksum or an escape, add it to the link. If the device really sends such frames, set
-`allow: {end_marks_apart: <reason>}` at the list.
+Fix: State the `range` of the elements, such as `range: 0x20..0x7E` for printable characters, or
+`range: "0..12, 14..255"`. If the frame has a length, a checksum or an escape, add it to the link. If the device really
+sends such frames, set `allow: {end_marks_apart: <reason>}` at the list.
 """
 
 from __future__ import annotations
