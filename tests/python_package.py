@@ -123,7 +123,9 @@ def built(module: ModuleType, layout: DeviceLayout, record: RecordLayout, values
     }
     if by is not None and chosen.fields[-1].is_list:
         arguments[chosen.fields[-1].name] = tuple(arguments[chosen.fields[-1].name])
-    return record_class(module, record)(*(arguments[field.name] for field in stored(record)))
+    chosen_class = record_class(module, record)
+    names = zip(chosen_class.__match_args__, stored(record), strict=True)
+    return chosen_class(**{name: arguments[field.name] for name, field in names})
 
 
 def _attribute(module: ModuleType, layout: DeviceLayout, field: FieldLayout, value: Any) -> Any:

@@ -50,6 +50,15 @@ def test_the_other_bits_do_not_matter_to_the_type_and_are_written_again(record: 
     assert METERS.encode_response(message, **HEAD) == frame
 
 
+def test_data_of_a_case_without_data_may_be_left_out() -> None:
+    frame = frame_of("00 13")
+    values = BUS.decode(frame, "response").values
+    (record,) = METERS.decode_response(frame).message.records
+    sent = {name: value for name, value in values["records"][0].items() if name != "data"}
+    assert BUS.encode("response", "variable_data", {**values, "records": [sent], **HEAD}) == frame
+    assert type(record)(**{name: getattr(record, name) for name in sent}) == record
+
+
 @pytest.mark.parametrize(
     ("records", "reason", "place"),
     [

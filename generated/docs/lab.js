@@ -5287,7 +5287,7 @@ function decidedField(record, field, values) {
 function elementsOf(field, values) {
   const value = values.get(field.name);
   if (value === undefined) {
-    const implied = field.value?.const ?? (field.reserved ? impliedValue(field) : undefined);
+    const implied = field.value?.const ?? (field.reserved || field.value?.size === 0 ? impliedValue(field) : undefined);
     if (implied === undefined) throw new CodecError("missing_value", `${field.name} is missing`);
     return Array.from({ length: field.count ?? 0 }, () => implied);
   }

@@ -17,7 +17,7 @@ from javascript import module_path, package
 from external_tools import require_tool
 from fieldspec.codec.reference.records import CodecError, encoded
 from fieldspec.foundation.names import Name
-from layouts import SPECS, layouts
+from layouts import SPECS, TEST_SPECS, layouts, newest
 
 LAYOUT = layouts(SPECS)["hiwin-e"][-1]
 RECORD = LAYOUT.messages["telegram_111"].response
@@ -101,3 +101,13 @@ def test_a_record_is_as_long_as_the_offsets_of_its_functions_reach(size: int, pr
     module = str(package() / "runtime" / "record.js")
     command = [require_tool("node"), "--input-type=module", "-e", LONG, module, str(size)]
     assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip() == printed
+
+
+def test_data_of_a_case_without_data_may_be_left_out() -> None:
+    program = """
+const { DataRecord } = await import(process.argv[1]);
+const { data, ...other } = DataRecord.decode(new Uint8Array([0, 0x13]));
+console.log(Array.from(DataRecord.encode(other)).join(" "), data.length);
+"""
+    command = [require_tool("node"), "--input-type=module", "-e", program, module_path(newest(TEST_SPECS, "heatmeter"))]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout == "0 19 0\n"

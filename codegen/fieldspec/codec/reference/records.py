@@ -291,12 +291,12 @@ def _encoded_field(field: FieldLayout, values: Mapping[str, Any], device: Device
 
 
 def _implied(field: FieldLayout) -> Any:
-    """The value of a field that users do not set: its constant, or of a reserved field its default or zeros."""
+    """The value of a field that users do not set: its constant, no bytes, or a reserved field's default or zeros."""
     value = field.value
     implied: Any = None
     if value is not None and value.const is not None:
         implied = value.const
-    elif field.field.reserved and value is not None:
+    elif value is not None and (field.field.reserved or not value.size):
         zero: Any = bytes(value.size) if is_array(value.encoding) else 0
         implied = value.default if isinstance(value.default, int) else zero
     if implied is None:

@@ -1,12 +1,12 @@
-"""Every key of a fact has an effect: a constant has no default, a reserved fact has neither names nor a quantity, and a
-separator needs at least two fields.
+"""Every key of a fact has an effect: a constant has no default, a reserved fact has neither names nor a quantity, a
+separator needs at least two fields, and on a link with `unit_addresses`, the part with the address has no `range`.
 
 Why: a constant is its own default, and codecs do not use the names or the unit of a value that they ignore. One of the
-two keys is a mistake.
+two keys is a mistake. A second range of addresses could contradict the first one.
 
 Example: a field with `const: 0xB4` and `default: 3`, or one with `reserved: true` and `unit: mm`.
 
-Fix: Remove one of the two keys, or the separator.
+Fix: Remove one of the two keys, or the separator. State the range of addresses in `unit_addresses`.
 """
 
 from __future__ import annotations
@@ -33,6 +33,12 @@ def keys_have_effect(device: Device) -> Findings:
         # The manual may print a unit for an address that it does not explain: such rows are documented as printed.
         if isinstance(fact, Field) or (isinstance(fact, Part) and fact.role == "plain"):
             yield from _reserved(fact, fact.reserved)
+    for link in device.links.values():
+        for part in (*link.request, *link.response):
+            if part.role == "unit_address" and "range" in part.place and link.unit_addresses is not None:
+                text = f"{link.name} states `unit_addresses`, so that `range` of {part.name} has no effect"
+                related_label = label(link.place, "unit_addresses", "the addresses")
+                yield finding(part.place, "range", text, "state the range only in `unit_addresses`", related_label)
     for flags in device.flags.values():
         for bit in flags.bits:
             yield from _reserved(bit, bit.reserved, (*_MEANINGS, "default", "unit_default"))

@@ -210,7 +210,7 @@ def _of_span(link: Link, direction: str, part: Part) -> Findings:
             text = f"the length {part.name} does not count the body, so it is constant"
             help = "count the body too, or replace the role of the part by a `const`"
             yield finding(part.place, key, text, help)
-    elif first > last:
+    elif first > last or (part.span.first and names.index(part.span.first) > last):
         text = f"the checksum {part.name} covers nothing"
         yield finding(part.place, key, text, "name the first and the last part in the order of the wire")
     elif first <= names.index(part.name) <= last:

@@ -52,6 +52,7 @@ _NAMES = (
     "digits_fit",
     "directions_agree",
     "elements_match_table",
+    "end_marks_apart",
     "enum_contiguous",
     "enum_names_unique",
     "enum_values_unique",

@@ -276,7 +276,8 @@ class Slot:
                 put = f"putBytes({name}, {variable}, b, {position}, {self.value.size}, 0);"
                 return [put, f"b[{position} + {variable}.length] = 1;"]
             case Octets():
-                return [f"putBytes({name}, {variable}, b, {position}, {self.size});"]
+                data = variable if self.size else f"{variable} ?? new Uint8Array()"
+                return [f"putBytes({name}, {data}, b, {position}, {self.size});"]
             case Truth():
                 return [f"const {raw} = numberOf({name}, {variable});", *self.stored(raw, base, offset)]
             case Real():

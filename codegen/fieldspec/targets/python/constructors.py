@@ -33,7 +33,7 @@ def constructor_view(stored: list[Slots], scaled: list[ScaledView]) -> Construct
     first = next((place for place, field in enumerate(stored) if field.name in quantities), len(stored))
     if first == len(stored):
         return ConstructorView([], _signature(map(_raw, stored)), [])
-    optional = [f"{field.name}: {field.accepted} | None = None" for field in stored[first:]]
+    optional = [_raw(field, " | None = None") for field in stored[first:]]
     keywords = [_optional(view) for view in scaled]
     return ConstructorView(
         overloads=[_signature(arguments, ": ...") for arguments in _overloads(stored, first, quantities)],
@@ -53,12 +53,25 @@ def _left_out(view: ScaledView) -> str:
     return "_LEFT_OUT" if view.takes_none else "None"
 
 
-def _raw(field: Slots) -> str:
-    return f"{field.name}: {field.accepted}"
+def _raw(field: Slots, default: str = "") -> str:
+    """`kind: Kinds`; an argument that may be left out has no bytes then."""
+    default = ' = b""' if field.field.may_be_empty else default
+    return f"{field.name}: {field.accepted}{default}"
 
 
 def _signature(arguments: Iterator[str] | list[str], end: str = ":") -> list[str]:
-    return item_lines("def __init__(", ["self", *arguments], f") -> None{end}", 4)
+    """The lines of a signature; arguments that are needed after one that may be left out are keywords."""
+    names, mark, keywords = _divided([*arguments])
+    first = next((place for place, name in enumerate(names) if " = " in name), len(names))
+    if any(" = " not in name for name in names[first:]):
+        names, mark, keywords = names[: first + 1], ["*"], [*names[first + 1 :], *keywords]
+    return item_lines("def __init__(", ["self", *names, *mark, *keywords], f") -> None{end}", 4)
+
+
+def _divided(arguments: list[str]) -> tuple[list[str], list[str], list[str]]:
+    """The arguments before a `*`, the `*` if there is one, and the arguments after it."""
+    place = arguments.index("*") if "*" in arguments else len(arguments)
+    return arguments[:place], arguments[place : place + 1], arguments[place + 1 :]
 
 
 def _overloads(stored: list[Slots], first: int, quantities: dict[str, ScaledView]) -> Iterator[list[str]]:

@@ -135,11 +135,11 @@ function decidedField(record, field, values) {
   return decided;
 }
 
-/** The values of the elements of a field: those entered, or its constant or zeros where nobody enters them. */
+/** The values of the elements of a field: those entered, or its constant, no bytes or zeros where nobody enters them. */
 function elementsOf(field, values) {
   const value = values.get(field.name);
   if (value === undefined) {
-    const implied = field.value?.const ?? (field.reserved ? impliedValue(field) : undefined);
+    const implied = field.value?.const ?? (field.reserved || field.value?.size === 0 ? impliedValue(field) : undefined);
     if (implied === undefined) throw new CodecError("missing_value", `${field.name} is missing`);
     return Array.from({ length: field.count ?? 0 }, () => implied);
   }
