@@ -143,5 +143,5 @@ def by_pyright(judged: Path) -> Judged:
 def test_a_type_checker_finds_wrong_uses_of_the_door_and_nothing_in_the_example(
     checker: str, request: pytest.FixtureRequest
 ) -> None:
-    found: Judged = request.getfixturevalue(checker)
-    assert sorted(found) == [("wrong.py", line) for line in WRONG_LINES]
+    findings: Judged = request.getfixturevalue(checker)
+    assert sorted(findings) == [("wrong.py", line) for line in WRONG_LINES]

@@ -14,6 +14,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import COMPILERS, compiled, require_tool
+
 from fieldspec.foundation.names import stem
 from fieldspec.language.reading.project import read
 from fieldspec.targets.c.backend import files

@@ -28,8 +28,8 @@ CHEAP = 8 if IS_WHOLE else 1
 MOST = 2000
 """Devices that are drawn until each key of the language is in enough of them."""
 RICH = (18, 9, 1, 11, 0, 14, 10, 6)
-"""Seeds whose devices have all keys together, from those that `fuzz.py --statistics 2000` finds. Where what is drawn has
-changed, the others follow after them, which takes minutes.
+"""Seeds whose devices have all keys together, chosen from those that `fuzz.py --statistics 2000` finds. Where what is
+drawn has changed, the others follow after them, which takes minutes.
 """
 
 
