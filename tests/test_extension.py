@@ -103,45 +103,45 @@ def files(layout: DeviceLayout) -> Files:
 WRONG_LINES = [3, 4, 5, 6, 8]
 
 
-@pytest.fixture
-def wrong(tmp_path: Path) -> Path:
-    path = tmp_path / "wrong.py"
-    path.write_text(MISTAKES, "utf-8")
-    return path
+Judged = set[tuple[str, int]]
+"""The files and lines of findings."""
 
 
-def mypy(path: Path) -> list[str]:
-    """What mypy finds in what is below a path, which sees fieldspec as it sees an installed package."""
-    command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.10", "--config-file=", str(path)]
-    done = subprocess.run(command, cwd=path.parent, capture_output=True, text=True, check=False)
-    return [line for line in done.stdout.splitlines() if ": error:" in line]
+@pytest.fixture(scope="module")
+def judged(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the example and with wrong uses, each of which a type checker looks at in one run."""
+    folder = tmp_path_factory.mktemp("judged")
+    shutil.copytree(EXAMPLE, folder, ignore=shutil.ignore_patterns("__pycache__"), dirs_exist_ok=True)
+    (folder / "wrong.py").write_text(MISTAKES, "utf-8")
+    return folder
 
 
-def pyright(folder: Path) -> list[dict[str, Any]]:
-    """The same of pyright, which looks at all files below a folder."""
+@pytest.fixture(scope="module")
+def by_mypy(judged: Path) -> Judged:
+    """What mypy finds, which sees fieldspec as it sees an installed package."""
+    command = [sys.executable, "-m", "mypy", "--strict", "--python-version=3.10", "--config-file=", "."]
+    done = subprocess.run(command, cwd=judged, capture_output=True, text=True, check=False)
+    assert re.search(r"checked \d+ source files", done.stdout)
+    return {(path, int(line)) for path, line in re.findall(r"^(.+?):(\d+): error:", done.stdout, re.MULTILINE)}
+
+
+@pytest.fixture(scope="module")
+def by_pyright(judged: Path) -> Judged:
+    """The same of pyright."""
     settings = {"typeCheckingMode": "strict", "pythonVersion": "3.10", "reportMissingModuleSource": False}
-    (folder / "pyrightconfig.json").write_text(json.dumps(settings), "utf-8")
-    options = ["--outputjson", "--project", str(folder), "--pythonpath", sys.executable]
+    (judged / "pyrightconfig.json").write_text(json.dumps(settings), "utf-8")
+    options = ["--outputjson", "--project", str(judged), "--pythonpath", sys.executable]
     command = [sys.executable, "-m", "pyright", *options]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    done = subprocess.run(command, cwd=judged, capture_output=True, text=True, check=False)
     report = json.loads(done.stdout)
-    assert report["summary"]["filesAnalyzed"] > 0
+    assert report["summary"]["filesAnalyzed"] == len([*judged.rglob("*.py")])
     findings: list[dict[str, Any]] = report["generalDiagnostics"]
-    return findings
+    return {(Path(own["file"]).relative_to(judged).as_posix(), own["range"]["start"]["line"] + 1) for own in findings}
 
 
-def test_mypy_is_content_with_the_example() -> None:
-    assert mypy(EXAMPLE / "acme_fieldspec") == []
-
-
-def test_pyright_is_content_with_the_example(tmp_path: Path) -> None:
-    shutil.copytree(EXAMPLE, tmp_path / "src", ignore=shutil.ignore_patterns("__pycache__"))
-    assert pyright(tmp_path) == []
-
-
-def test_mypy_finds_wrong_uses_of_the_door(wrong: Path) -> None:
-    assert sorted({int(line.split(":")[1]) for line in mypy(wrong)}) == WRONG_LINES
-
-
-def test_pyright_finds_wrong_uses_of_the_door(wrong: Path) -> None:
-    assert sorted({finding["range"]["start"]["line"] + 1 for finding in pyright(wrong.parent)}) == WRONG_LINES
+@pytest.mark.parametrize("checker", ["by_mypy", "by_pyright"])
+def test_a_type_checker_finds_wrong_uses_of_the_door_and_nothing_in_the_example(
+    checker: str, request: pytest.FixtureRequest
+) -> None:
+    findings: Judged = request.getfixturevalue(checker)
+    assert sorted(findings) == [("wrong.py", line) for line in WRONG_LINES]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import cache
 from pathlib import Path
 
-from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.targets.c.backend import files
 from layouts import SPECS, TEST_SPECS, layouts
 from shared_results import shared
@@ -24,8 +23,3 @@ def write_newest(device: str, folder: Path) -> None:
     """Writes the files of the newest version of a device into a folder."""
     for path, text in newest_texts()[device].items():
         (folder / path).write_text(text, encoding="utf-8", newline="\n")
-
-
-def texts_of_versions(name: str, devices: list[list[DeviceLayout]]) -> dict[str, str]:
-    """The files of all versions of some devices. `name` is that of no others."""
-    return shared(name, lambda: {path: text for versions in devices for path, text in files(versions).items()})

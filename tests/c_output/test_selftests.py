@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -13,17 +14,21 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 
 from compilers import COMPILERS, compiled, require_tool
-from headers import texts_of_versions
 
 from fieldspec.foundation.names import stem
 from fieldspec.language.reading.project import read
+from fieldspec.targets.c.backend import files
 from layouts import SPECS, TEST_SPECS, layout_at, layouts
 
 KNOT = read({"knot-1/device.yaml": (Path(__file__).parent / "knot.yaml").read_bytes()}).devices["knot-1"]
 VERSIONS = [versions for root in (SPECS, TEST_SPECS) for versions in layouts(root).values()]
 VERSIONS.append([layout_at(KNOT, version) for version in KNOT.versions()])
-TEXTS = texts_of_versions("headers", VERSIONS)
-HEADERS = sorted(path for path in TEXTS if path.endswith(".h") and path.replace(".h", "_selftest.c") in TEXTS)
+HEADERS = {
+    f"{stem(layout.device.id, layout.device.version)}.h": number
+    for number, versions in enumerate(VERSIONS)
+    for layout in versions
+}
+"""The number of its device for each header."""
 TEST_DEVICES = tuple(stem(device, "") for device in layouts(TEST_SPECS) if device != "widget")
 NEWEST = {stem(versions[-1].device.id, versions[-1].device.version) + ".h" for versions in VERSIONS}
 
@@ -35,18 +40,24 @@ def compilers_of(header: str) -> Iterable[str]:
     return ("sanitized", "tcc") if header in NEWEST else ("g++",)
 
 
+@cache
+def texts_of(header: str) -> Mapping[str, str]:
+    """The files of the device of a header, which only the tests that run need."""
+    return files(VERSIONS[HEADERS[header]])
+
+
 def write_selftest(folder: Path, header: str) -> Path:
     """Writes the self-test of a header, and both headers beside it; returns the path of the self-test."""
     source = header.replace(".h", "_selftest.c")
     for path in (header, header.replace(".h", "_constants.h"), source):
-        (folder / path).write_text(TEXTS[path], encoding="utf-8", newline="\n")
+        (folder / path).write_text(texts_of(header)[path], encoding="utf-8", newline="\n")
     return folder / source
 
 
 @pytest.mark.proof(10)
 @pytest.mark.parametrize(
     ("header", "compiler"),
-    [(header, compiler) for header in HEADERS for compiler in compilers_of(header)],
+    [(header, compiler) for header in sorted(HEADERS) for compiler in compilers_of(header)],
 )
 def test_a_header_compiles_without_a_warning_and_passes_its_self_test(
     header: str, compiler: str, tmp_path: Path

@@ -152,6 +152,18 @@ def test_a_log_of_100_000_lines_stays_responsive(browser: webdriver.Chrome, fold
     wait_for(browser, 0)
 
 
+def test_a_frame_is_explained_at_once_however_slow_the_machine_is(browser: webdriver.Chrome, folder: Path) -> None:
+    open_lab(browser, folder, "ck10", 0)
+    script = """
+        let now = performance.now();
+        performance.now = () => { now += 1000; return now; };
+        const choose = document.getElementById("example");
+        choose.selectedIndex = 1;
+        choose.dispatchEvent(new Event("change"));
+        return !document.getElementById("explanation").hidden;"""
+    assert browser.execute_script(script)
+
+
 def test_an_edited_field_gives_the_bytes(browser: webdriver.Chrome, folder: Path) -> None:
     open_lab(browser, folder, "esc11", version="1.17", frames="09 00 16 D0 07 00 00 32 28", direction="request")
     box = browser.find_element(By.CSS_SELECTOR, "#fields input[data-path=distance]")

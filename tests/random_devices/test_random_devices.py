@@ -27,9 +27,9 @@ CHEAP = 8 if IS_WHOLE else 1
 """Judges that are asked about each device, or about one of so few, cost less than the others."""
 MOST = 2000
 """Devices that are drawn until each key of the language is in enough of them."""
-RICH = (0, 1, 10, 13, 70, 93)
-"""Seeds whose devices have all keys together, as `fuzz.py --statistics 2000` finds them. Where what is drawn has
-changed, the others follow after them, which takes minutes.
+RICH = (18, 9, 1, 11, 0, 14, 10, 6)
+"""Seeds whose devices have all keys together, chosen from those that `fuzz.py --statistics 2000` finds. Where what is
+drawn has changed, the others follow after them, which takes minutes.
 """
 
 
@@ -68,7 +68,8 @@ def test_what_broke_something_once_breaks_nothing_now(case: Path) -> None:
 def test_all_codecs_agree_on_frames_of_others(device: str) -> None:
     spec = yaml.safe_load((TEST_SPECS / device / "device.yaml").read_text("utf-8"))
     spec["device"]["id"] = "chance"
-    result = compare(spec, 1, 60)
+    judges = JUDGES if device == "courier" or IS_WHOLE else tuple(judge for judge in JUDGES if judge.every <= CHEAP)
+    result = compare(spec, 1, 60, judges)
     assert result.findings == ()
     assert result.disagreements == []
 

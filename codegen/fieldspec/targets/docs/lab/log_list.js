@@ -36,9 +36,10 @@ class LogList {
     const work = () => {
       if (run !== this.run) return;
       const end = performance.now() + SLICE;
-      while (at < lines.length && performance.now() < end) {
+      while (at < lines.length) {
         this.readLine(reader, lines[at]);
         at += 1;
+        if (performance.now() >= end) break;  // after a line, so that a single one is explained at once
       }
       if (at === lines.length || end - drawn > DRAWN) {
         drawn = end;
