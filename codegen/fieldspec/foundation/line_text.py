@@ -44,6 +44,24 @@ def visible_json(data: object, indent: int | None = None, default: Callable[[obj
     return _INVISIBLE.sub(escape, text)
 
 
+def wrapped(text: str, width: int, first: str = "", rest: str = "") -> list[str]:
+    """Words with single blanks between them in lines of at most `width` characters; a longer word has its own line.
+
+    `first` is the indentation of the first line, and `rest` is the indentation of the others.
+    """
+    lines = []
+    line, start = first + text, len(first)
+    while len(line) > width:
+        end = line.rfind(" ", start, width + 1)
+        if end < 0:
+            end = line.find(" ", start)
+        if end < 0:
+            break
+        lines.append(line[:end])
+        line, start = rest + line[end + 1 :], len(rest)
+    return [*lines, line]
+
+
 def plural(number: int, noun: str) -> str:
     """`1 word`, `2 words`"""
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

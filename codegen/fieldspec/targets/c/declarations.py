@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass
+from fieldspec.foundation.line_text import wrapped
 from fieldspec.language.model.digits import digits_text
 from fieldspec.language.model.fact import Fact
 from fieldspec.language.model.value import Value
@@ -161,16 +162,7 @@ def escape_comment(text: str) -> str:
 @lru_cache(maxsize=_CACHE_SIZE)
 def wrap_comment(text: str) -> tuple[str, ...]:
     """A text as lines of a comment."""
-    text = escape_comment(text)
-    lines = []
-    while len(text) > _WIDTH:
-        end = text.rfind(" ", 0, _WIDTH + 1)
-        end = end if end > 0 else text.find(" ")
-        if end < 0:
-            break
-        lines.append(text[:end])
-        text = text[end + 1 :]
-    return (*lines, text)
+    return tuple(wrapped(escape_comment(text), _WIDTH))
 
 
 def comment(*paragraphs: str) -> Comment:

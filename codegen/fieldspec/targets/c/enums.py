@@ -147,7 +147,7 @@ def integer_reason(device: Device, value: Value) -> str:
     low, high = bounds_of(value.encoding)
     if not all(low <= member.value <= high for member in members):
         return f"An integer, as {value.type.name} does not hold all members of {enum.name}."
-    known = merged((member.value, member.value) for member in members)
+    known = merged((member.value, member.value) for member in members) if value.sentinels else []
     missing = [sentinel.name for sentinel in value.sentinels if uncovered(*sentinel.interval, known)]
     return f"An integer, as {enum.name} does not have {', '.join(missing)}." if missing else ""
 

@@ -59,10 +59,10 @@ class Naming:
     """
 
     def __init__(self, device: str) -> None:
-        self.device = Name.of(device)
+        self._device = Name.of(device).snake()
         self._taken = {*_TAKEN_WORDS}
         self._given: dict[str, str] = {}
-        self._stems: dict[tuple[Noun, tuple[str, ...]], Name] = {}
+        self._stems: dict[tuple[Noun, tuple[str, ...]], str] = {}
         self._statuses: dict[str, Identifier] = {}
         self._status_variable: Local | None = None
         self._noted: RequestedNames | None = None
@@ -142,25 +142,31 @@ class Naming:
             self._noted[is_new][key] = name
         return name
 
-    def _words(self, noun: Noun, parts: tuple[str, ...]) -> Name:
-        """The words of a name. Words of a holder that has many names are looked up, not parted again."""
+    def _words(self, noun: Noun, parts: tuple[str, ...]) -> str:
+        """A name in lower case. That of a holder that has many names is looked up, not joined again."""
         if not parts:
-            return self.device + Name.of(_PREFIXES.get(noun, ""))
+            return _joined(self._device, _PREFIXES.get(noun, ""))
         key = noun, parts[:-1]
         stem = self._stems.get(key)
         if stem is None:
             stem = self._stems[key] = self._words(*key)
-        return stem + Name.of(parts[-1])
+        return _joined(stem, parts[-1])
 
-    def _free(self, words: Name, upper: bool) -> str:
-        number, tried = 1, words
-        while (text := tried.upper() if upper else tried.snake()) in self._taken:
+    def _free(self, words: str, upper: bool) -> str:
+        words = words.upper() if upper else words
+        number, text = 1, words
+        while text in self._taken:
             number += 1
-            tried = words + Name.of(str(number))
-        if tried is not words:
+            text = f"{words}_{number}"
+        if number > 1:
             _NUMBERED.add(text)
         self._taken.add(text)
         return text
+
+
+def _joined(stem: str, part: str) -> str:
+    words = Name.of(part).snake()
+    return f"{stem}_{words}" if words else stem
 
 
 def member(name: str) -> str:

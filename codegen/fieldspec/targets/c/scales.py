@@ -18,8 +18,10 @@ def define_fractions(
     """`#define GADGET_REG_SPEED_SCALE_NUMERATOR INT64_C(1)`: a scale and an offset as fractions, where they matter."""
     constants: list[Declaration] = []
     for name, exact, implied in (("scale", scale, 1), ("offset", offset, 0)):
+        if exact == implied:
+            continue
         fraction = Fraction(exact)
-        if fraction != implied and max(abs(fraction.numerator), fraction.denominator) <= _GREATEST_FRACTION:
+        if max(abs(fraction.numerator), fraction.denominator) <= _GREATEST_FRACTION:
             for part, number in (("numerator", fraction.numerator), ("denominator", fraction.denominator)):
                 constants.append(Define(naming.macro(noun, *names, f"{name}_{part}"), integer(number, INT64)))
     return constants

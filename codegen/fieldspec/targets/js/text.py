@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 
+from fieldspec.foundation.line_text import wrapped
 from fieldspec.language.model.enums import Bit
 from fieldspec.targets.explainer.literals import EXACT
 from fieldspec.targets.explainer.wire import PURE as PURE
@@ -53,8 +53,7 @@ def _comment(texts: Sequence[str], indent: int) -> list[str]:
     for number, text in enumerate(texts):
         if number:
             lines.append("")
-        line = _visible(" ".join(text.split()))
-        lines += textwrap.wrap(line, WIDTH - indent, break_long_words=False, break_on_hyphens=False)
+        lines += wrapped(_visible(" ".join(text.split())), WIDTH - indent)
     margin = " " * indent
     if not lines:
         return []
@@ -64,9 +63,10 @@ def _comment(texts: Sequence[str], indent: int) -> list[str]:
 
 
 def _visible(text: str) -> str:
-    escaped = "".join(char if char.isprintable() else "".join(f"\\u{{{ord(char):x}}}") for char in text)
+    if not text.isprintable():
+        text = "".join(char if char.isprintable() else f"\\u{{{ord(char):x}}}" for char in text)
     # `@` would begin a tag, and `*/` would end the comment.
-    return escaped.replace("*/", "*\\/").replace("@", "\\@")
+    return text.replace("*/", "*\\/").replace("@", "\\@")
 
 
 def runs_of(bit: Bit) -> str:

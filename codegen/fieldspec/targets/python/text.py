@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-import textwrap
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
+
+from fieldspec.foundation.line_text import wrapped
 
 WIDTH = 110
 # Characters that are invisible, or that change how the rest of a line is displayed.
@@ -69,15 +70,7 @@ def _within_quotes(line: str) -> str:
 def _wrapped(text: str, width: int) -> tuple[str, ...]:
     """A text in lines; a leading blank marks an indented line, whose continuation is indented further."""
     is_item = text.startswith(" ")
-    filled = textwrap.wrap(
-        " ".join(text.split()),
-        width - 8,
-        initial_indent="    " if is_item else "",
-        subsequent_indent="        " if is_item else "",
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
-    return tuple(filled) or ("",)
+    return tuple(wrapped(" ".join(text.split()), width - 8, *(("    ", "        ") if is_item else ())))
 
 
 def filled(start: str, items: Sequence[str], end: str, indent: int) -> list[str]:

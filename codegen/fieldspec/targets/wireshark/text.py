@@ -25,6 +25,8 @@ _ESCAPES = {byte: f"\\{byte:03d}" for byte in range(256) if byte in b'"\\' or no
 def line_text(text: str) -> str:
     """A text of a spec on one line, without characters that are invisible or change the direction of a line."""
     line = " ".join(text.split())
+    if line.isprintable():
+        return line
     return "".join(char if char.isprintable() else f"<U+{ord(char):04X}>" for char in line)
 
 

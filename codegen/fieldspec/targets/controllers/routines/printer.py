@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from fieldspec.foundation.classes import replace
+from fieldspec.foundation.line_text import wrapped
 from fieldspec.targets.controllers.dialects import Spelling
 from fieldspec.targets.controllers.literals import fraction, initial, whole
 from fieldspec.targets.controllers.statements.expressions import (
@@ -53,12 +54,7 @@ _ASSOCIATIVE = ("+", "AND", "OR", "XOR")
 def comment(text: str, indent: str = "", form: str = "// {}") -> list[str]:
     """A text of a spec as lines of comment. It stays within them, whatever it holds."""
     room = _WIDTH - len(indent) - len(form) + len("// {}")
-    lines = [""]
-    for word in comment_text(text).split(" "):
-        if lines[-1] and len(lines[-1]) + len(word) >= room:
-            lines.append("")
-        lines[-1] = f"{lines[-1]} {word}" if lines[-1] else word
-    return [f"{indent}{form.format(line)}".rstrip() for line in lines]
+    return [f"{indent}{form.format(line)}".rstrip() for line in wrapped(comment_text(text), room)]
 
 
 def array_name(kind: ArrayType, spelling: Spelling) -> str:
