@@ -51,7 +51,7 @@ from fieldspec.tools.lists.words import meaning
 
 _NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 
-_FEWEST_CODES = 3
+_FEWEST_CODES, _MOST_EXAMPLES = 3, 3
 _WIDE_STEPS = (4, 8)
 """The bytes of registers with more than a word."""
 
@@ -171,6 +171,10 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         for place, text in comments
         if number not in numbers
     ]
+    if sheet.wrapped:
+        lines = ", ".join(f"{line} of row {number}" for line, number in sheet.wrapped[:_MOST_EXAMPLES])
+        evidence = f"{len(sheet.wrapped)} have no address, as line {lines}"
+        assumptions.append(Assumption("lines", "cells of a row go on in the lines next to it", evidence))
     if sheet.hidden:
         assumptions.append(Assumption("hidden cells", "read as others", ", ".join(sheet.hidden)))
     has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
