@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 
 from fieldspec.tools.lists.cells import space
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, Sheet, SheetRow
@@ -75,6 +74,7 @@ def placed_sheet(text: str) -> Sheet | None:
         return None
     heading = next(number for number, cells in enumerate(lines) if len(cells) == width)
     spans = [cell.span() for cell in lines[heading]]
+    starts = {first for first, _ in spans}
     rows, refused = [], dict[int, str]()
     for number, cells in enumerate(lines, 1):
         texts = [""] * width
@@ -89,19 +89,18 @@ def placed_sheet(text: str) -> Sheet | None:
             rows.append(SheetRow(number, tuple(texts)))
     places = [n for n, cell in enumerate(lines[heading]) if whole_words().get(folded(cell[0])) == "address"]
     below = [row for row in rows if row.number > heading + 1]
-    whole, wrapped = _unwrapped(below, places[0], refused) if places else (below, [])
+    aligned = {number for number, cells in enumerate(lines, 1) if starts.issuperset(cell.start() for cell in cells)}
+    whole, wrapped = _unwrapped(below, places[0], aligned - {*refused}) if places else (below, [])
     above = rows[: len(rows) - len(below)]
     return Sheet((*above, *whole), max(len(lines), 1), refused=refused, wrapped=tuple(wrapped))
 
 
-def _unwrapped(
-    rows: list[SheetRow], column: int, refused: Mapping[int, str]
-) -> tuple[list[SheetRow], list[tuple[int, int]]]:
+def _unwrapped(rows: list[SheetRow], column: int, aligned: set[int]) -> tuple[list[SheetRow], list[tuple[int, int]]]:
     """The rows, each with the lines next to it that have no address, as long cells go on; and the numbers of these
     lines, each with that of its row.
 
     A line belongs to the row above, but to the one below if only that one has none of its cells. A line that may be
-    a value, a bit or a title stays apart.
+    a value, a bit or a title stays apart, and one that is not `aligned` with the headings, as the number of a page is.
     """
     result: list[SheetRow] = []
     wrapped: list[tuple[int, int]] = []
@@ -109,7 +108,7 @@ def _unwrapped(
     for n, row in enumerate(rows):
         filled = [place for place, text in enumerate(row.cells) if text]
         text = row.cells[filled[0]]
-        is_part = not row.cell(column) and row.number not in refused and not _VALUE.match(text) and not space(text)
+        is_part = not row.cell(column) and row.number in aligned and not _VALUE.match(text) and not space(text)
         above = result[-1] if result and last == row.number - 1 and result[-1].cell(column) else None
         below = next((other for other in rows[n + 1 : n + 2] if other.number == row.number + 1), None)
         lacks_above, lacks_below = (

@@ -18,6 +18,7 @@ from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.remarks import described_states
 from fieldspec.tools.lists.row_quantity import FACTORS, unread_scales
 from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.type_words import UNSIGNED, Typed
 from fieldspec.tools.lists.value_texts import Meanings, NamedBits
@@ -123,10 +124,12 @@ def _with_masks(rows: Sequence[ListRow], assumptions: list[Assumption]) -> list[
         masks = sorted(number for number in members if number)
         has_no_quantity = row.scale in (None, 1) and not row.unit and row.bits is None and not row.meanings.bits
         are_masks = len(masks) > 1 and has_no_quantity and all(0 < mask == mask & -mask for mask in masks)
-        is_stated = _OF_BITS.search(folded(row.texts.get("type", ""))) is not None
+        type_word = folded(row.texts.get("type", ""))
+        is_stated = _OF_BITS.search(type_word) is not None
         is_whole = len(masks) >= _FEWEST_MASKS and masks == [1 << number for number in range(len(masks))]
         size = row.words or (row.type.size if row.type else 0) or 1
-        has_numbers = is_stated and has_no_quantity and 0 in members and max(members) < LENGTHS["bits"] * size
+        has_numbers = is_stated and has_no_quantity and type_word != BIT
+        has_numbers = has_numbers and 0 in members and max(members) < LENGTHS["bits"] * size
         if has_numbers and (not are_masks or sorted(members) == list(range(len(members)))):
             bits = tuple(NamedBits(number, number, name) for number, name in row.meanings.members)
             row = replace(row, meanings=Meanings(bits=bits))

@@ -44,7 +44,7 @@ from fieldspec.tools.lists.row_spaces import (
 from fieldspec.tools.lists.shapes import BIT, with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns, without_numbers
-from fieldspec.tools.lists.type_words import Loose
+from fieldspec.tools.lists.type_words import UNSIGNED, Loose
 from fieldspec.tools.lists.unrolled import matrix, side_by_side
 from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import meaning
@@ -348,6 +348,9 @@ def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRo
     names = re.split(r"\s*[/,+]\s*", row.names[0]) if row.names and row.type is None and not row.length else []
     if span is not None and span == len(names) > 1:
         doubts = (*doubts, f"The list has {span} addresses, and a name for each.")
+        are_apart = len(re.split("[,;/&]", row.texts["address"])) == span
+        if are_apart and span not in UNSIGNED:  # no number has so many words
+            row, span = replace(row, count=span), None
     is_bit = row.type is not None and (row.type.name == BIT or row.type.kind is Loose.TRUTH)
     if span is not None and span > 1 and is_bit and not row.words:
         doubts = (*doubts, f"The list says {row.texts.get('type')}, and {span} addresses.")

@@ -195,6 +195,9 @@ def _with_named_bits(item: dict[str, Any]) -> dict[str, Any]:
     """An object whose lists of bits are texts of their names: `0..7 data; 16 error`. Other facts of bits stay apart."""
     result: dict[str, Any] = {}
     for key, value in item.items():
+        if isinstance(value, list) and meaning("headings", key) in ("bits", "values") and _are_texts(value):
+            result[key] = "; ".join(f"{number} {text}" for number, text in enumerate(value) if text)
+            continue
         parts = [_bit_parts(bit) for bit in value] if isinstance(value, list) else []
         names = [
             f"{part['low']}{'..' + part['high'] if 'high' in part else ''} {part['name']}" for part in parts if part
@@ -206,6 +209,13 @@ def _with_named_bits(item: dict[str, Any]) -> dict[str, Any]:
         facts = {inner: [bit.get(inner) for bit in value] for bit in value for inner in bit}
         result |= {f"{key} {inner}": texts for inner, texts in facts.items() if not meaning("bit_parts", inner)}
     return result
+
+
+def _are_texts(values: list[Any]) -> bool:
+    """Whether values are names by their numbers, from 0: texts without numbers, or None for a number without one."""
+    return any(values) and all(
+        value is None or (isinstance(value, str) and not value[:1].isdigit()) for value in values
+    )
 
 
 def _bit_parts(bit: object) -> dict[str, str]:
