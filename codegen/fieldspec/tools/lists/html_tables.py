@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from html import unescape
+from typing import TypeAlias
 
 from fieldspec.foundation.classes import dataclass, field
 from fieldspec.foundation.spreadsheet import clean
@@ -50,12 +51,8 @@ class _Cell:
         return (" " if self.is_heading else _LINE).join(lines)
 
 
-@dataclass(slots=True)
-class _Row:
-    """A row of a table, or a line of text as a row with a cell; `line` is where it begins in the file."""
-
-    line: int
-    cells: list[_Cell] = field(default_factory=list)
+_Row: TypeAlias = tuple[int, list[_Cell]]
+"""The line where a row of a table begins in the file, and its cells; a line of text is a row with one."""
 
 
 def is_page(text: str) -> bool:
@@ -71,16 +68,16 @@ def page_sheet(text: str) -> Sheet:
     for table in _tables(text):
         above: tuple[str, ...] = ()
         grid = _grid(table)
-        are_heads = [all(cell.is_heading for cell in row.cells) and sum(map(bool, texts)) > 1 for row, texts in grid]
-        for n, ((row, texts), is_head) in enumerate(zip(grid, are_heads, strict=True), 1):
+        are_heads = [all(cell.is_heading for cell in cells) and sum(map(bool, texts)) > 1 for (_, cells), texts in grid]
+        for n, (((line, cells), texts), is_head) in enumerate(zip(grid, are_heads, strict=True), 1):
             texts = _below(above, texts) if is_head else texts
             above = texts if is_head and n <= _MOST_UPPER_HEADINGS and any(are_heads[n : n + 1]) else ()
             if above or not any(texts):
                 continue
-            number = max(row.line, rows[-1].number + 1 if rows else 1)
+            number = max(line, rows[-1].number + 1 if rows else 1)
             rows.append(SheetRow(number, texts))
             heads |= {number} if is_head else set()
-            refused |= {number: "is struck out"} if all(cell.is_struck for cell in row.cells) else {}
+            refused |= {number: "is struck out"} if all(cell.is_struck for cell in cells) else {}
     return Sheet(tuple(rows), rows[-1].number if rows else 1, refused=refused, heads=frozenset(heads))
 
 
@@ -95,7 +92,7 @@ def _tables(text: str) -> list[list[_Row]]:
 
     def end_line() -> None:
         if not open_tables and "".join(cell.parts).strip():
-            tables.append([_Row(line, [_Cell(parts=[*cell.parts], is_struck=cell.is_struck)])])
+            tables.append([(line, [_Cell(parts=[*cell.parts], is_struck=cell.is_struck)])])
         if not open_tables:
             cell.parts.clear()
 
@@ -124,13 +121,12 @@ def _tables(text: str) -> list[list[_Row]]:
             cell = outer_cells.pop()
         elif name == "tr" and not is_end and open_tables:
             rows += 1
-            open_tables[-1].append(_Row(line))
+            open_tables[-1].append((line, []))
         elif name in ("td", "th") and not is_end and open_tables and open_tables[-1]:
             spans = {kind.casefold(): max(int(span), 1) for kind, span in _SPAN.findall(tag[3] if tag else "")}
             cell = _Cell(name == "th", spans.get("row", 1), min(spans.get("col", 1), MOST_COLUMNS))
-            cells = open_tables[-1][-1].cells
-            cells.append(cell)
-            if len(cells) > MOST_COLUMNS:
+            open_tables[-1][-1][1].append(cell)
+            if len(open_tables[-1][-1][1]) > MOST_COLUMNS:
                 raise ListError(f"has a row in line {line} with more than {MOST_COLUMNS} cells")
         line += tag[0].count("\n") if tag else 0
         if rows + len(tables) > MOST_ROWS:
@@ -146,7 +142,7 @@ def _grid(table: Sequence[_Row]) -> list[tuple[_Row, tuple[str, ...]]]:
     for row in table:
         texts: list[str] = []
         begun: dict[int, tuple[int, str]] = {}
-        for cell in [*row.cells, None]:
+        for cell in [*row[1], None]:
             while len(texts) in merged:
                 texts.append(merged[len(texts)][1])
             if cell is not None:
