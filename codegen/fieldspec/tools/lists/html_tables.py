@@ -159,7 +159,7 @@ def _grid(table: Sequence[_Row]) -> list[tuple[_Row, tuple[str, ...]]]:
 
 
 def _below(above: Sequence[str], texts: Sequence[str]) -> tuple[str, ...]:
-    """The headings of a row, with those above them where they are no whole headings themselves: `Value Min`."""
+    """The headings of a row, each after the one above it unless it is a known heading itself: `Value Min`."""
     pairs = ((above[n] if n < len(above) else "", text) for n, text in enumerate(texts))
     return tuple(
         text if folded(text) in whole_words() or not upper or upper == text else f"{upper} {text}".strip()

@@ -398,9 +398,3 @@ def _with_gaps(rows: list[ListRow]) -> list[ListRow]:
         ordered = sorted(set(numbers))
         following.update({(space, a): b - a for a, b in pairwise(ordered)})
     return [replace(row, gap=following.get((row.space, row.address), 0)) for row in rows]
-
-
-def moved(rows: Sequence[ListRow], offset: int) -> Iterator[ListRow]:
-    """The rows with the addresses on the wire, which are lower than the addresses of the list by an offset."""
-    for row in rows:
-        yield replace(row, address=row.address - offset)

@@ -171,7 +171,7 @@ def _has_inner_address(value: Any) -> bool:
 
 
 def _registers_of(item: dict[str, Any]) -> list[dict[str, Any]]:
-    """An object, and one for each further register that a key names, as those of thermostats do.
+    """An object, and one for each further register that a key names: thermostats have several.
 
     The target of a measured value has its facts; each of the others is a number of its own. A program writes them.
     """

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 
@@ -135,8 +135,8 @@ class ListRow:
 class Cells:
     """The cells of a row by role, the names in all its columns of names, and its notes by heading.
 
-    `has_factors` says that the list has a column of scales: other texts state none then. `headings` are those of its
-    numbers.
+    `has_factors` says that the list has a column of scales: other texts state none then. `headings` are the
+    headings of its numbers.
     """
 
     row: int
@@ -373,3 +373,9 @@ def _stated_order(role: str, text: str, doubts: list[str]) -> str:
             stated = "CDAB" if answer_value else "ABCD"
     is_code = folded(text) in ("dcba", "4321")
     return "CDAB" if role == "word_order" and stated == "DCBA" and not is_code else stated
+
+
+def moved(rows: Sequence[ListRow], offset: int) -> Iterator[ListRow]:
+    """The rows with the addresses on the wire, which are lower than the addresses of the list by an offset."""
+    for row in rows:
+        yield replace(row, address=row.address - offset)
