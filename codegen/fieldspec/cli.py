@@ -185,7 +185,7 @@ def _parser() -> argparse.ArgumentParser:
 
     compare = verb("compare", "compare a device with a register list from another source", compiled=True)
     compare.add_argument("device", metavar="DEVICE[@VERSION]", help=DEVICE_HELP)
-    kinds = "CSV, XLSX, JSON, EDS, DBC, YAML, or a table separated by tabs or bars (-: standard input)"
+    kinds = "CSV, XLSX, JSON, EDS, DBC, YAML, HTML, or a table with tabs or bars (-: standard input)"
     compare.add_argument("file", metavar="FILE", help=kinds)
     list_options(compare)
     compare.add_argument("--ignore", metavar="WHAT,...", help="the keys to ignore, such as name or unit")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from fieldspec.tools.lists.cells import space
 from fieldspec.tools.lists.sheet import MOST_COLUMNS, MOST_ROWS, Sheet, SheetRow
 from fieldspec.tools.lists.words import folded, whole_words
 
@@ -19,6 +20,9 @@ _SPACED = re.compile(
 """A line with only a blank between the address and the name."""
 
 _CELL = re.compile(r"\S+(?: \S+)*")
+_VALUE = re.compile(r"(?:bits?|b)?\s*\.?[0-9]", re.IGNORECASE)
+"""The beginning of a line that may be a value or a bit of the row above."""
+
 _FEWEST, _HEADED_BY = 3, 40
 _QUOTED = re.compile(r'(?:^|[,;\t|])"[^"]*$')
 """The beginning of a cell in quotes that the line does not end."""
@@ -70,6 +74,7 @@ def placed_sheet(text: str) -> Sheet | None:
         return None
     heading = next(number for number, cells in enumerate(lines) if len(cells) == width)
     spans = [cell.span() for cell in lines[heading]]
+    starts = {first for first, _ in spans}
     rows, refused = [], dict[int, str]()
     for number, cells in enumerate(lines, 1):
         texts = [""] * width
@@ -82,4 +87,46 @@ def placed_sheet(text: str) -> Sheet | None:
             texts[column] = f"{texts[column]} {cell[0]}".strip()
         if cells:
             rows.append(SheetRow(number, tuple(texts)))
-    return Sheet(tuple(rows), max(len(lines), 1), refused=refused)
+    places = [n for n, cell in enumerate(lines[heading]) if whole_words().get(folded(cell[0])) == "address"]
+    below = [row for row in rows if row.number > heading + 1]
+    aligned = {number for number, cells in enumerate(lines, 1) if starts.issuperset(cell.start() for cell in cells)}
+    whole, wrapped = _unwrapped(below, places[0], aligned - {*refused}) if places else (below, [])
+    above = rows[: len(rows) - len(below)]
+    return Sheet((*above, *whole), max(len(lines), 1), refused=refused, wrapped=tuple(wrapped))
+
+
+def _unwrapped(rows: list[SheetRow], column: int, aligned: set[int]) -> tuple[list[SheetRow], list[tuple[int, int]]]:
+    """The rows, each with the lines next to it that have no address, as long cells go on; and the numbers of these
+    lines, each with that of its row.
+
+    A line belongs to the row above, but to the one below if only that one has none of its cells. A line that may be
+    a value, a bit or a title stays apart, and one that is not `aligned` with the headings, as the number of a page is.
+    """
+    result: list[SheetRow] = []
+    wrapped: list[tuple[int, int]] = []
+    last = 0
+    for n, row in enumerate(rows):
+        filled = [place for place, text in enumerate(row.cells) if text]
+        text = row.cells[filled[0]]
+        is_part = not row.cell(column) and row.number in aligned and not _VALUE.match(text) and not space(text)
+        above = result[-1] if result and last == row.number - 1 and result[-1].cell(column) else None
+        below = next((other for other in rows[n + 1 : n + 2] if other.number == row.number + 1), None)
+        lacks_above, lacks_below = (
+            other is not None and bool(other.cell(column)) and not any(map(other.cell, filled))
+            for other in (above, below)
+        )
+        last = row.number
+        if is_part and below is not None and lacks_below and not lacks_above:
+            rows[n + 1] = _joined(row, below, below.number)
+            wrapped.append((row.number, below.number))
+        elif is_part and above is not None and not lacks_below:
+            result[-1] = _joined(above, row, above.number)
+            wrapped.append((row.number, above.number))
+        else:
+            result.append(row)
+    return result, wrapped
+
+
+def _joined(first: SheetRow, second: SheetRow, number: int) -> SheetRow:
+    pairs = zip(first.cells, second.cells, strict=True)
+    return SheetRow(number, tuple(" ".join(filter(None, pair)) for pair in pairs))

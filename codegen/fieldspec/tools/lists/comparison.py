@@ -11,8 +11,8 @@ from fieldspec.tools.lists.assumption import Refusal
 from fieldspec.tools.lists.differences import ASPECTS, Difference, bit_differences, differences, names_of
 from fieldspec.tools.lists.halves import with_halves_joined
 from fieldspec.tools.lists.item import MESSAGES, REGISTERS, Item
-from fieldspec.tools.lists.listing import Listing, moved
-from fieldspec.tools.lists.row_reading import REGISTER, ListRow
+from fieldspec.tools.lists.listing import Listing
+from fieldspec.tools.lists.row_reading import REGISTER, ListRow, moved
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.words import folded
 

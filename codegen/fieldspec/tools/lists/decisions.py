@@ -10,6 +10,7 @@ from itertools import pairwise
 from fieldspec.foundation.classes import replace
 from fieldspec.tools.lists import directions
 from fieldspec.tools.lists.assumption import Assumption, Options
+from fieldspec.tools.lists.brackets import parted
 from fieldspec.tools.lists.column_roles import Columns
 from fieldspec.tools.lists.directions import DIVIDE, LENGTHS, UNIT, Measured
 from fieldspec.tools.lists.numbering import Placed, wire_number
@@ -17,6 +18,7 @@ from fieldspec.tools.lists.quantities import known_unit
 from fieldspec.tools.lists.remarks import described_states
 from fieldspec.tools.lists.row_quantity import FACTORS, unread_scales
 from fieldspec.tools.lists.row_reading import ListRow
+from fieldspec.tools.lists.shapes import BIT
 from fieldspec.tools.lists.sheet import ListError
 from fieldspec.tools.lists.type_words import UNSIGNED, Typed
 from fieldspec.tools.lists.value_texts import Meanings, NamedBits
@@ -40,6 +42,8 @@ _WIDE = 4
 
 _OF_WORDS = re.compile(r"%?(?:m|v|db)w[0-9]+$", re.IGNORECASE)
 """Words in the memory of a controller, which has one for all kinds of data."""
+
+_BOUNDS = ("min", "max", "range", "default")
 
 _TEXT, _CHARACTERS = "text", "char"
 """The type of texts, and the beginning of the types that a list has for their characters."""
@@ -94,13 +98,16 @@ def decided(
         examples = ", ".join(f"`{text}`" for text in described[:2])
         assumptions.append(Assumption("scales", "those that texts of rows say", examples))
     proved = gain_assumption is not None and gain_assumption.evidence.startswith("the bounds")
+    headings = [columns_of_sheet.heading(role) for role in _BOUNDS if role in columns_of_sheet.places]
+    in_unit = next((f"{heading} has the unit" for heading in headings if known_unit(parted(heading)[1])), "")
+    in_unit = "so they prove the direction of the factor" if proved else in_unit
     measured = [
         decision
         for row in decided
         for ends in (row, replace(row, low=row.default, high=row.default))
         if (decision := _measured(ends, row.scale)) is not None
     ]
-    bounds, bounds_assumption = directions.bounds_unit(measured, proved, options.bounds)
+    bounds, bounds_assumption = directions.bounds_unit(measured, in_unit, options.bounds)
     assumptions += [
         decision for decision in (length_assumption, gain_assumption, bounds_assumption) if decision is not None
     ]
@@ -109,17 +116,25 @@ def decided(
 
 
 def _with_masks(rows: Sequence[ListRow], assumptions: list[Assumption]) -> list[ListRow]:
-    """The rows, with the values of a bit field as bits where each is the mask of one: 1, 2, 4, 8."""
+    """The rows, with the values of a bit field as bits where each is the mask of one, as 1, 2, 4, 8, or its number."""
     result = []
-    examples = []
+    examples, numbered = [], []
     for row in rows:
         members = dict(row.meanings.members)
         masks = sorted(number for number in members if number)
         has_no_quantity = row.scale in (None, 1) and not row.unit and row.bits is None and not row.meanings.bits
         are_masks = len(masks) > 1 and has_no_quantity and all(0 < mask == mask & -mask for mask in masks)
-        is_stated = _OF_BITS.search(folded(row.texts.get("type", ""))) is not None
+        type_word = folded(row.texts.get("type", ""))
+        is_stated = _OF_BITS.search(type_word) is not None
         is_whole = len(masks) >= _FEWEST_MASKS and masks == [1 << number for number in range(len(masks))]
-        if are_masks and (is_stated or is_whole):
+        size = row.words or (row.type.size if row.type else 0) or 1
+        has_numbers = is_stated and has_no_quantity and type_word != BIT
+        has_numbers = has_numbers and 0 in members and max(members) < LENGTHS["bits"] * size
+        if has_numbers and (not are_masks or sorted(members) == list(range(len(members)))):
+            bits = tuple(NamedBits(number, number, name) for number, name in row.meanings.members)
+            row = replace(row, meanings=Meanings(bits=bits))
+            numbered.append(row.texts["type"])
+        elif are_masks and (is_stated or is_whole):
             bits = tuple(NamedBits(mask.bit_length() - 1, mask.bit_length() - 1, members[mask]) for mask in masks)
             doubts = (*row.doubts, *([f"Values in the list: 0 {members[0]}."] if 0 in members else []))
             row = replace(row, meanings=Meanings(bits=bits), doubts=doubts)
@@ -127,6 +142,8 @@ def _with_masks(rows: Sequence[ListRow], assumptions: list[Assumption]) -> list[
         result.append(row)
     if examples:
         assumptions.append(Assumption("values", "bits", f"their numbers are masks of bits: {examples[0]}"))
+    if numbered:
+        assumptions.append(Assumption("values", "numbers of bits", f"the type {numbered[0]}, and that there is a 0"))
     return result
 
 

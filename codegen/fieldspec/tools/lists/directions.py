@@ -121,8 +121,8 @@ def _proofs(measured: Measured, is_gain: bool) -> Iterator[str]:
         yield MULTIPLY if multiplied else DIVIDE
 
 
-def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tuple[str, Assumption | None]:
-    """Whether bounds and defaults beside a scale are counts or in the unit. `in_unit` says that they prove a gain."""
+def bounds_unit(measured: Sequence[Measured], in_unit: str, stated: str) -> tuple[str, Assumption | None]:
+    """Whether bounds and defaults beside a scale are counts or in the unit; `in_unit` is evidence for it."""
     scaled = [entry for entry in measured if entry.factor != 1]
     if stated or not scaled:
         return stated or COUNTS, None
@@ -134,10 +134,8 @@ def bounds_unit(measured: Sequence[Measured], in_unit: bool, stated: str) -> tup
     direction = UNIT if (unit or in_unit or is_narrow) and not counts else COUNTS
     if direction == UNIT and unit:
         evidence = f"{unit} rows contain no counts of their types"
-    elif direction == UNIT and not in_unit:
-        evidence = "as counts, they are less than one of the unit apart"
     elif direction == UNIT:
-        evidence = "so they prove the direction of the factor"
+        evidence = in_unit or "as counts, they are less than one of the unit apart"
     elif counts and not unit:
         evidence = f"only so, {counts} rows contain whole counts"
     else:

@@ -11,11 +11,11 @@ from fieldspec.tools.lists.addresses import DECIMAL, HEXADECIMAL, REFERENCE
 from fieldspec.tools.lists.assumption import Assumption, Refusal
 from fieldspec.tools.lists.entries import SPACES, Entry, entries
 from fieldspec.tools.lists.halves import with_halves_joined
-from fieldspec.tools.lists.listing import Listing, moved
+from fieldspec.tools.lists.listing import Listing
 from fieldspec.tools.lists.message_entries import message_entries
 from fieldspec.tools.lists.numbering import chosen
 from fieldspec.tools.lists.rolling_up import rolled_up
-from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER, REGISTER, SIGNAL, ListRow
+from fieldspec.tools.lists.row_reading import MESSAGE, PARAMETER, REGISTER, SIGNAL, ListRow, moved
 from fieldspec.tools.lists.shapes import BIT, shape
 from fieldspec.tools.lists.sheet import ListError, Sheet
 

@@ -30,7 +30,7 @@ _FORMATS = (
     (r"<(?:spirit|ipxact|kactus2):", "a component in IP-XACT"),
     (r"<device\b[^>]*\bschemaVersion=|<peripherals>", "a description of a chip (CMSIS-SVD)"),
     (r"<ISO15745Profile", "a device description in XML (XDD)"),
-    (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z!][\w:-]*[\s>/]", "XML or HTML"),
+    (r"\A\s*<\?xml|\A\s*<(?!br)[A-Za-z!][\w:-]*[\s>/]", "XML, or HTML without a table"),
 )
 _KEY = re.compile(r"[A-Za-z_][\w/]*:(?: |$)")
 _SECTION = re.compile(r"(?:[A-Za-z_][\w/-]*|([\"'])[\w.-]+\1):\s*$|- [A-Za-z_]\w*:(?: |$)")

@@ -44,14 +44,14 @@ from fieldspec.tools.lists.row_spaces import (
 from fieldspec.tools.lists.shapes import BIT, with_elements
 from fieldspec.tools.lists.sheet import ListError, Sheet, SheetRow, letters
 from fieldspec.tools.lists.tables import columns, without_numbers
-from fieldspec.tools.lists.type_words import Loose
+from fieldspec.tools.lists.type_words import UNSIGNED, Loose
 from fieldspec.tools.lists.unrolled import matrix, side_by_side
 from fieldspec.tools.lists.values_beneath import with_values_beneath
 from fieldspec.tools.lists.words import meaning
 
 _NUMERIC = (*FACTORS, *SCALED_BOUNDS, "min", "max", "range", "default", "const", "value_offset", "unit", "formula")
 
-_FEWEST_CODES = 3
+_FEWEST_CODES, _MOST_EXAMPLES = 3, 3
 _WIDE_STEPS = (4, 8)
 """The bytes of registers with more than a word."""
 
@@ -171,6 +171,10 @@ def listing(sheet: Sheet, names: Mapping[str, str], options: Options = STATED_NO
         for place, text in comments
         if number not in numbers
     ]
+    if sheet.wrapped:
+        lines = ", ".join(f"{line} of row {number}" for line, number in sheet.wrapped[:_MOST_EXAMPLES])
+        evidence = f"{len(sheet.wrapped)} have no address, as line {lines}"
+        assumptions.append(Assumption("lines", "cells of a row go on in the lines next to it", evidence))
     if sheet.hidden:
         assumptions.append(Assumption("hidden cells", "read as others", ", ".join(sheet.hidden)))
     has_factors = not columns_of_sheet.places.keys().isdisjoint(FACTORS)
@@ -344,6 +348,9 @@ def _numbered(row: ListRow, row_place: Place, address: int, base: str) -> ListRo
     names = re.split(r"\s*[/,+]\s*", row.names[0]) if row.names and row.type is None and not row.length else []
     if span is not None and span == len(names) > 1:
         doubts = (*doubts, f"The list has {span} addresses, and a name for each.")
+        are_apart = len(re.split("[,;/&]", row.texts["address"])) == span
+        if are_apart and span not in UNSIGNED:  # no number has so many words
+            row, span = replace(row, count=span), None
     is_bit = row.type is not None and (row.type.name == BIT or row.type.kind is Loose.TRUTH)
     if span is not None and span > 1 and is_bit and not row.words:
         doubts = (*doubts, f"The list says {row.texts.get('type')}, and {span} addresses.")
@@ -391,9 +398,3 @@ def _with_gaps(rows: list[ListRow]) -> list[ListRow]:
         ordered = sorted(set(numbers))
         following.update({(space, a): b - a for a, b in pairwise(ordered)})
     return [replace(row, gap=following.get((row.space, row.address), 0)) for row in rows]
-
-
-def moved(rows: Sequence[ListRow], offset: int) -> Iterator[ListRow]:
-    """The rows with the addresses on the wire, which are lower than the addresses of the list by an offset."""
-    for row in rows:
-        yield replace(row, address=row.address - offset)

@@ -33,7 +33,7 @@ class Meant:
     doubts: tuple[str, ...] = ()
 
 
-def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str], only_states: bool) -> Meant:
+def meant(entry: Entry, name: str, enums: dict[object, str], used_names: dict[str, int], only_states: bool) -> Meant:
     """The meanings of a register's numbers; with a scale they are states.
 
     `enums` has the names of enums by their members, `used_names` all names.
@@ -81,7 +81,7 @@ def meant(entry: Entry, name: str, enums: dict[object, str], used_names: set[str
 
 
 def enum_of(
-    members: Members, name: str, row: ListRow, enums: dict[object, str], used_names: set[str]
+    members: Members, name: str, row: ListRow, enums: dict[object, str], used_names: dict[str, int]
 ) -> tuple[str, str]:
     """The name of the enum with some members, and its line, which is empty where another value has the same one."""
     known_name = enums.get(members)
@@ -105,7 +105,7 @@ def _within(row: ListRow, members: Members) -> tuple[Members, Members]:
 
 def _members(members: Sequence[tuple[int, str]], are_states: bool = False) -> list[str]:
     """The members of an enum, or states, which have no printed names."""
-    names: set[str] = set()
+    names: dict[str, int] = {}
     printed: set[str] = set()
     parts = []
     for value, text in members:
@@ -126,9 +126,11 @@ def _states(special: Sequence[tuple[str, str]]) -> list[str]:
     ]
 
 
-def bit_lines(bits: Sequence[Bit], enums: dict[object, str], used_names: set[str]) -> tuple[list[str], tuple[str, ...]]:
+def bit_lines(
+    bits: Sequence[Bit], enums: dict[object, str], used_names: dict[str, int]
+) -> tuple[list[str], tuple[str, ...]]:
     """The bits of a bit field as mappings, and the lines of the enums that they name."""
-    names: set[str] = set()
+    names: dict[str, int] = {}
     printed: set[str] = set()
     parts: list[str] = []
     lines: list[str] = []

@@ -65,11 +65,17 @@ def _letter(sign: str) -> str:
     return f" {greek[1].lower()} " if greek is not None else sign
 
 
-def fresh(name: str, suffix: str, names: set[str]) -> str:
-    """A name that is not among some, which it is added to: with a suffix where it has to be, then with a number."""
-    fresh_name, number = name, 1
+def fresh(name: str, suffix: str, names: dict[str, int]) -> str:
+    """A name that is not among some, which it is added to: with a suffix where it has to be, then with a number.
+
+    `names` has the last number after each name, so that many equal names take no longer each than a few.
+    """
+    fresh_name, stem = name, f"{name}_{suffix}"
     while fresh_name in names:
-        fresh_name = f"{name}_{suffix}" if number == 1 else f"{name}_{suffix}_{number}"
-        number += 1
-    names.add(fresh_name)
+        if stem not in names:
+            fresh_name = stem
+        else:
+            names[stem] += 1
+            fresh_name = f"{stem}_{names[stem]}"
+    names[fresh_name] = 1
     return fresh_name

@@ -51,7 +51,7 @@ def objects_sheet(data: object, format_name: str, only_with_addresses: bool = Fa
         indexed = [group for group in groups if any(_has_address(item, ()) for item in group.objects)]
         used = indexed if _role_count(indexed) >= _FEWEST_ROLES or not only_with_addresses else []
         used = used or ([] if only_with_addresses else _alike(groups))
-    objects = [_with_named_bits(item) for item in _joined(used)]
+    objects = [_with_named_bits(part) for item in _joined(used) for part in _registers_of(item)]
     if not objects:
         raise ListError(f"is {format_name} but not a list of objects; give each register one, or a row of a table")
     if len(objects) > MOST_ROWS:
@@ -170,10 +170,34 @@ def _has_inner_address(value: Any) -> bool:
     return isinstance(value, dict) and (_has_address(value) or any(map(_has_inner_address, inner)))
 
 
+def _registers_of(item: dict[str, Any]) -> list[dict[str, Any]]:
+    """An object, and one for each further register that a key names: thermostats have several.
+
+    The target of a measured value has its facts; each of the others is a number of its own. A program writes them.
+    """
+    further = {key: meaning("further_registers", key) for key in item if meaning("further_registers", key)}
+    parts = {key: inner if isinstance(inner := item[key], dict) else {"address": inner} for key in further}
+    parts = {key: part for key, part in parts.items() if whole(str(part.get("address"))) is not None}
+    own = {key: value for key, value in item.items() if key not in parts}
+    shared = {key: value for key, value in own.items() if meaning("headings", key) not in ("address", "space")}
+    result = [own]
+    for key, part in parts.items():
+        facts = shared if further[key] == "target" else {}
+        states = part.get("values")
+        if isinstance(states, dict) and all(whole(str(n)) is not None for n in states.values()):
+            part = {**part, "values": {str(number): name for name, number in states.items()}}
+        name = f"{item.get('name', '')} {key.replace('_', ' ').removesuffix(' register')}".strip()
+        result.append({**facts, "name": name, "access": "rw", **part})
+    return result
+
+
 def _with_named_bits(item: dict[str, Any]) -> dict[str, Any]:
     """An object whose lists of bits are texts of their names: `0..7 data; 16 error`. Other facts of bits stay apart."""
     result: dict[str, Any] = {}
     for key, value in item.items():
+        if isinstance(value, list) and meaning("headings", key) in ("bits", "values") and _are_texts(value):
+            result[key] = "; ".join(f"{number} {text}" for number, text in enumerate(value) if text)
+            continue
         parts = [_bit_parts(bit) for bit in value] if isinstance(value, list) else []
         names = [
             f"{part['low']}{'..' + part['high'] if 'high' in part else ''} {part['name']}" for part in parts if part
@@ -185,6 +209,13 @@ def _with_named_bits(item: dict[str, Any]) -> dict[str, Any]:
         facts = {inner: [bit.get(inner) for bit in value] for bit in value for inner in bit}
         result |= {f"{key} {inner}": texts for inner, texts in facts.items() if not meaning("bit_parts", inner)}
     return result
+
+
+def _are_texts(values: list[Any]) -> bool:
+    """Whether values are names by their numbers, from 0: texts without numbers, or None for a number without one."""
+    return any(values) and all(
+        value is None or (isinstance(value, str) and not value[:1].isdigit()) for value in values
+    )
 
 
 def _bit_parts(bit: object) -> dict[str, str]:

@@ -17,6 +17,9 @@ _EMPTY = ("-", "--", "---", "n/a", "N/A", "undefined", "\u2013", "\u2014", "/")
 _COUNTS = ("min", "max", "default", "const")
 """The roles of numbers that may be hexadecimal below a heading that says so."""
 
+_MEASURED = (*_COUNTS, "range", "value", "scale")
+"""The roles of numbers whose unit a heading may say: `Min [°C]`."""
+
 _HEX = re.compile("[0-9A-Fa-f]{1,8}")
 
 
@@ -65,4 +68,5 @@ def row_cells(
         ),
     )
     has_factors = not columns.places.keys().isdisjoint(FACTORS)
-    return Cells(row.number, texts, tuple(names), notes, has_factors)
+    headings = tuple(columns.heading(role) for role in _MEASURED if role in texts)
+    return Cells(row.number, texts, tuple(names), notes, has_factors, headings)

@@ -76,11 +76,20 @@ def quantity_of(
     notes: Sequence[tuple[str, str]],
     decimal: str,
     has_factors: bool,
+    headings: Sequence[str],
     doubts: list[str],
 ) -> Quantity:
     """The unit of a row, and the scale and the offset that need no decision for the whole list."""
     text = texts.get("unit", "")
-    unit = (scaled_unit(text, decimal) or unit_cell(text, decimal)) if text else _unit_of_texts(texts, names, decimal)
+    if text:
+        unit = scaled_unit(text, decimal) or unit_cell(text, decimal)
+    else:
+        unit = _unit_of_texts(texts, names, decimal)
+        of_headings = {quantity: heading for heading in headings if (quantity := _unit_behind(heading, decimal))}
+        if len(of_headings) > 1:
+            doubts.append(f"Units of headings in the list: {', '.join(of_headings.values())}.")
+        elif of_headings and unit == Quantity():
+            (unit,) = of_headings
     if unit is not None and unit.unit in _DEGREES:
         is_temperature = any(word in folded(name) for name in names for word in words("measured")["K"])
         unit = replace(unit, unit=_DEGREES[unit.unit]) if is_temperature else None
@@ -331,27 +340,24 @@ def _between_bounds(texts: Mapping[str, str], decimal: str) -> Quantity | None:
 
 
 def _unit_of_texts(texts: Mapping[str, str], names: Sequence[str], decimal: str) -> Quantity | None:
-    """The unit in brackets after a name, or after a range, where the list has no cell for it: `Speed [rpm]`."""
-    for name in names:
-        aside = parted(name)[1] or next(filter(known_unit, map(str.strip, name.split(",")[1:])), "")
-        quantity = unit_cell(aside, decimal) if aside else None
-        is_shouted = aside.isupper() and len(aside) > 1 and quantity is not None and quantity.unit.islower()
-        if (
-            quantity is None
-            or not known_unit(quantity.unit)
-            or typed(aside) is not None
-            or (is_shouted and len(aside) < 3)
-        ):
-            continue
-        if (
-            quantity.scale
-            or quantity.times
-            or name.endswith("]")
-            or not _may_be_a_phase(known_unit(quantity.unit), name)
-        ):
-            return quantity
+    """The unit after a name, or after a range, where the list has no cell for it: `Speed [rpm]`."""
+    if (unit := next(filter(None, (_unit_behind(name, decimal) for name in names)), None)) is not None:
+        return unit
     measured = bounds(texts.get("range", ""), decimal) and _BEHIND_RANGE.search(texts["range"])
     return unit_cell(measured[0], decimal) if measured else Quantity()
+
+
+def _unit_behind(name: str, decimal: str) -> Quantity | None:
+    """The unit in brackets, or after a comma, at the end of a name or a heading: `Speed [rpm]`; None without one."""
+    aside = parted(name)[1] or next(filter(known_unit, map(str.strip, name.split(",")[1:])), "")
+    quantity = unit_cell(aside, decimal) if aside else None
+    if quantity is None or not known_unit(quantity.unit) or typed(aside) is not None:
+        return None
+    if aside.isupper() and quantity.unit.islower() and len(aside) == 2:
+        return None  # a name in capital letters
+    is_scaled = quantity.scale or quantity.times
+    is_phase = not is_scaled and not name.endswith("]") and _may_be_a_phase(known_unit(quantity.unit), name)
+    return None if is_phase else quantity
 
 
 def _may_be_a_phase(unit: str, name: str) -> bool:

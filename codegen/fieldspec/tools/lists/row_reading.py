@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 
@@ -135,7 +135,8 @@ class ListRow:
 class Cells:
     """The cells of a row by role, the names in all its columns of names, and its notes by heading.
 
-    `has_factors` says that the list has a column of scales: other texts state none then.
+    `has_factors` says that the list has a column of scales: other texts state none then. `headings` are the
+    headings of its numbers.
     """
 
     row: int
@@ -143,6 +144,7 @@ class Cells:
     names: tuple[str, ...]
     notes: tuple[tuple[str, str], ...]
     has_factors: bool = False
+    headings: tuple[str, ...] = ()
 
 
 def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
@@ -155,7 +157,7 @@ def read_row(row: Cells, decimal: str, default_order: str) -> ListRow:
         texts = {**texts, "scale": own_type.factor}
     low, high, meanings = row_bounds(texts, described, decimal, doubts)
     meanings = _with_bits(texts, _meanings(texts, meanings, doubts), doubts)
-    quantity = quantity_of(texts, row.names, row.notes, decimal, row.has_factors, doubts)
+    quantity = quantity_of(texts, row.names, row.notes, decimal, row.has_factors, row.headings, doubts)
     count = whole(texts.get("count", "")) or 1
     return ListRow(
         row=row.row,
@@ -371,3 +373,9 @@ def _stated_order(role: str, text: str, doubts: list[str]) -> str:
             stated = "CDAB" if answer_value else "ABCD"
     is_code = folded(text) in ("dcba", "4321")
     return "CDAB" if role == "word_order" and stated == "DCBA" and not is_code else stated
+
+
+def moved(rows: Sequence[ListRow], offset: int) -> Iterator[ListRow]:
+    """The rows with the addresses on the wire, which are lower than the addresses of the list by an offset."""
+    for row in rows:
+        yield replace(row, address=row.address - offset)

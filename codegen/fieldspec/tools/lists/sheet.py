@@ -47,7 +47,8 @@ class Sheet:
     where it was guessed, `refused` the rows that cannot be used, with the reasons, `heads` the rows that the file
     marks as headings, `comments` the comments of cells by row, each with the cell, `hidden` the rows and columns that a
     workbook does not show. `format` is that of another program, empty for a table, `beside` the contents of the
-    file that are not part of the list, `orders` its settings of orders of bytes and words.
+    file that are not part of the list, `orders` its settings of orders of bytes and words. `wrapped` are the lines that
+    continue a row, each with the number of the row.
     """
 
     rows: tuple[SheetRow, ...]
@@ -64,6 +65,7 @@ class Sheet:
     format: str = ""
     beside: tuple[str, ...] = ()
     orders: tuple[str, ...] = ()
+    wrapped: tuple[tuple[int, int], ...] = ()
 
 
 def column_of(text: str) -> int:

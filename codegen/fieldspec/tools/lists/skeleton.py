@@ -118,7 +118,7 @@ class _Writer:
         self._labels: dict[str, set[str]] = defaultdict(set)
         self.noted: set[int] = set()
         self.declared: set[str] = set()
-        used: dict[str, set[str]] = defaultdict(set)
+        used: dict[str, dict[str, int]] = defaultdict(dict)
         self._names = [
             fresh(known.get(_number(entry)) or _name(entry), f"{entry.row.address:04x}", used[_namespace(entry)])
             for entry in registers
@@ -127,7 +127,7 @@ class _Writer:
         self._scale_by = {place: self._names[other] for place, other in scaled.items()}
         self._exponents = set(scaled.values())
         enums: dict[object, str] = {}
-        enum_names: set[str] = set()
+        enum_names: dict[str, int] = {}
         self._meant = [
             meant(entry, name, enums, enum_names, place in self._exponents or place in self._scale_by)
             for place, (entry, name) in enumerate(zip(registers, self._names, strict=True))
@@ -179,7 +179,7 @@ class _Writer:
             for list_row in (entry.row, *(bit.row for bit in entry.bits if bit.row is not None)):
                 if list_row.unit and not known_unit(list_row.unit):
                     first_rows.setdefault(list_row.unit, list_row)
-        used: set[str] = set()
+        used: dict[str, int] = {}
         if first_rows:
             yield "units:", 0
         for unit, row in first_rows.items():

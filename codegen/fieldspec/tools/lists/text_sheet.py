@@ -1,4 +1,4 @@
-"""Reads lists from text: CSV with any usual separator, tables with bars, numbered lines, JSON and YAML."""
+"""Reads lists from text: CSV tables with bars, numbered lines, pages in HTML, JSON and YAML."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from itertools import zip_longest
 from fieldspec.foundation.spreadsheet import clean
 from fieldspec.tools.lists.columns_by_place import numbered_sheet, placed_sheet
 from fieldspec.tools.lists.formats.yaml_items import data_of, tree
+from fieldspec.tools.lists.html_tables import is_page, page_sheet
 from fieldspec.tools.lists.json_text import json_data
 from fieldspec.tools.lists.known_formats import is_yaml, refuse_known_format
 from fieldspec.tools.lists.object_groups import objects_sheet
@@ -71,6 +72,8 @@ def text_sheet(content: bytes, encoding: str = "") -> Sheet:
         raise ListError("is empty")
     delimiter = _DELIMITER.search(text)
     if delimiter is None:
+        if is_page(text):
+            return page_sheet(text)
         refuse_known_format(text)
         if text.lstrip()[0] in "[{":
             lines = [line for line in text.splitlines() if line.strip()]

@@ -24,6 +24,9 @@ _SIGNS = ("=", ":", "->", "→", "\u2013")
 _ENDS = (",", ";", "/", "|", "\n")
 """What stands after the name of a bit that only a blank parts from its number: `b0 ready, b1 warn`."""
 
+_NAME_BEFORE = re.compile(r"[^0-9=;,|]{1,40}\s")
+"""The name before values that have equal signs: `Status 0=off 1=on`."""
+
 _BEFORE = re.compile(r"[ \[(]*|[^0-9=;,|]{1,40}[:.][ \[(]*")
 """What may stand before the first value: `Condition: 0 = off`."""
 
@@ -88,7 +91,9 @@ def value_meanings(text: str, single: bool = False) -> Meanings | None:
     text = _of_lines(_LINE_END.split(text))
     parts = list(_PART.finditer(text))
     parts = [part for part in parts if part["end"].strip() == parts[0]["end"].strip()]
-    if parts and _BEFORE.fullmatch(text[: parts[0].start()]):
+    before = text[: parts[0].start()] if parts else ""
+    is_named = len(parts) > 1 and parts[0]["end"].strip() == "=" and _NAME_BEFORE.fullmatch(before) is not None
+    if parts and (is_named or _BEFORE.fullmatch(before)):
         ends = [*(part.start() for part in parts[1:]), len(text)]
         raw_texts = [text[part.end() : end] for part, end in zip(parts, ends, strict=True)]
         texts = [re.sub(r"\s[-\u2013]$", "", raw_text.strip(" ,;/|.]'\"")) for raw_text in raw_texts]

@@ -84,7 +84,7 @@ class _Model:
     rows: FormatRows
     following: int = 0
     open: str = ""
-    names: set[str] = field(default_factory=set)
+    names: dict[str, int] = field(default_factory=dict)
 
 
 def sunspec_model(text: str, node: str = "") -> tuple[Sheet, Listing] | None:
