@@ -69,7 +69,7 @@ def content(path: str | os.PathLike[str], limit: int, flags: int = 0) -> bytes:
 
 @contextmanager
 def reading(name: object, limit: int = 0, kind: str = "") -> Iterator[None]:
-    """Meanwhile, raises UsageError where a file cannot be read. A `kind` says which files have at most `limit` bytes."""
+    """Raises UsageError where a file cannot be read. A `kind` says which files have at most `limit` bytes."""
     try:
         yield
     except OSError as error:
