@@ -45,12 +45,14 @@ def expect_bytes(description: str, memory: Expression, data: bytes) -> Evaluatio
     return expect(Call("same_bytes", (memory, byte_string(data), unsigned(len(data)))), description)
 
 
-def expect_quantity(quantity: Expression, expected: float, description: str, least: float = 0.0) -> list[Statement]:
+def expect_quantity(
+    quantity: Expression, expected: float, description: str, least_tolerance: float = 0.0
+) -> list[Statement]:
     """`expect(quantity >= 0.999, "what is tested");` and the same for `<=`.
 
-    A quantity may differ by `least`, or by a millionth of a millionth, where that is more.
+    A quantity may differ by `least_tolerance`, or by a millionth of a millionth, where that is more.
     """
-    tolerance = max(abs(expected) * 1e-12, least)
+    tolerance = max(abs(expected) * 1e-12, least_tolerance)
     return [
         expect(quantity.at_least(double(expected - tolerance)), description),
         expect(quantity.at_most(double(expected + tolerance)), description),

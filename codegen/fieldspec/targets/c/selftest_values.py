@@ -305,7 +305,7 @@ def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> 
         count, description = literal(encoding, number), f"{conversion.name} {number}"
         expected = float(conversion.quantity(number, Fraction(_REFERENCE)))
         quantity = Call(from_raw, (count, reference))
-        body += expect_quantity(quantity, expected, description, least=1e-12)
+        body += expect_quantity(quantity, expected, description, least_tolerance=1e-12)
         if keeps_counts(encoding):
             body += [
                 expect_equal(f"{description} back", Call(to_raw, (quantity, reference, raw)), ok),
