@@ -10,8 +10,7 @@ import pytest
 
 from captures.conversations import USER_0, pcap, rtu
 from captures.test_decode_in_bulk import run
-from fieldspec.tools.evidence.notes import UnitNote, unit_note
-from fieldspec.tools.evidence.series import Series, SeriesValue
+from fieldspec.tools.evidence.unit_evidence import Series, SeriesValue, UnitNote, unit_note
 from layouts import SPECS
 
 NOTE = 'model: W\nfirmware: "1"\nserial_number: redacted\n'

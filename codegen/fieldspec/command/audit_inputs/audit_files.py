@@ -11,7 +11,6 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.console.streams import print_line
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files import regular_file, storage
-from fieldspec.command.files.regular_file import SizeError
 from fieldspec.command.files.storage import exclusive_folder, replace
 from fieldspec.command.sources import specs
 from fieldspec.language.model.device import Device
@@ -48,12 +47,8 @@ def recorded(specs_option: str | None, device: str) -> ManualIndex | None:
 
 def at_hand(name: str) -> ManualIndex:
     """The index of the text of a manual that the user has. Raises UsageError."""
-    try:
+    with regular_file.reading(name, MOST_BYTES, "the text of a manual"):
         content = regular_file.content(name, MOST_BYTES)
-    except SizeError:
-        raise UsageError(f"{name} has more than {MOST_BYTES >> 20} MiB; the text of a manual is smaller") from None
-    except OSError as error:
-        raise UsageError(f"cannot read {name}: {error.strerror}") from None
     try:
         return index_of(name, content)
     except ManualError as error:

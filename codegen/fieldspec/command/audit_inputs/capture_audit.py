@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from fieldspec.command.bulk.bulk_decoding import JOURNAL, require_captures, source_files
 from fieldspec.command.console.streams import print_error
 from fieldspec.command.console.usage import UsageError
+from fieldspec.command.files.regular_file import reading
 from fieldspec.command.files.storage import exclusive_folder, replace
 
 if TYPE_CHECKING:
@@ -55,12 +56,9 @@ def _read_tables(folder: Path, observations: Observations) -> None:
         if not paths:
             raise UsageError(f"{folder} has no tables in Parquet; decode with --to parquet, or name the captures")
         for path in paths:
-            try:
-                with open(path, "rb") as file:
-                    for batch in parquet_batches(file):
-                        add(batch)
-            except OSError as error:  # noqa: PERF203 - the message names the file
-                raise UsageError(f"cannot read {path}: {error.strerror}") from None
+            with reading(path), open(path, "rb") as file:
+                for batch in parquet_batches(file):
+                    add(batch)
 
 
 def _decode(name: str, decoder: DeviceDecoder, observations: Observations) -> None:
@@ -80,18 +78,15 @@ def _decode_file(source: str, path: Path, decoder: DeviceDecoder, observations: 
     from fieldspec.tools.captures.tables import record_batches
 
     device = decoder.layout.device
-    try:
-        with open(path, "rb") as file:
-            conversion = Conversion(file, decoder, ())
-            for batches in conversion.batches():
-                for batch in batches:
-                    tables = record_batches(batch, decoder.texts.texts, source, f"{device.id}@{device.version}")
-                    observations.add_frames(tables["frames"])
-                    observations.add_values(tables["values"])
-            for remark, count in sorted(conversion.counters().items()):
-                print_error(f"{source}: {remark}: {count}")
-    except OSError as error:
-        raise UsageError(f"cannot read {path}: {error.strerror}") from None
+    with reading(path), open(path, "rb") as file:
+        conversion = Conversion(file, decoder, ())
+        for batches in conversion.batches():
+            for batch in batches:
+                tables = record_batches(batch, decoder.texts.texts, source, f"{device.id}@{device.version}")
+                observations.add_frames(tables["frames"])
+                observations.add_values(tables["values"])
+        for remark, count in sorted(conversion.counters().items()):
+            print_error(f"{source}: {remark}: {count}")
 
 
 def write_tables(report: Report, folder: Path) -> None:

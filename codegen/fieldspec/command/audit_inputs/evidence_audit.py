@@ -11,15 +11,13 @@ from typing import TYPE_CHECKING
 from fieldspec.command.console.streams import print_error
 from fieldspec.command.console.usage import UsageError
 from fieldspec.command.files import list_files, regular_file
-from fieldspec.command.files.regular_file import SizeError
 from fieldspec.foundation.spreadsheet import csv_text
 from fieldspec.language.diagnostics import Diagnostic
 from fieldspec.tools.audit.register_dump import compared
 from fieldspec.tools.evidence.capture_values import add_dump, add_scan
-from fieldspec.tools.evidence.notes import FILE, UnitNote, unit_note
 from fieldspec.tools.evidence.observables import Observables
 from fieldspec.tools.evidence.report import Baseline, BaselineError, baseline, evidence_report
-from fieldspec.tools.evidence.unit_evidence import UnitEvidence
+from fieldspec.tools.evidence.unit_evidence import FILE, UnitEvidence, UnitNote, unit_note
 from fieldspec.tools.lists.dump import dump, dump_sheet
 from fieldspec.tools.lists.list_file import content_sheet
 from fieldspec.tools.lists.sheet import ListError
@@ -68,11 +66,8 @@ def folder_report(
 
 def _baseline(name: str) -> Baseline:
     try:
-        return baseline(name, regular_file.content(name, _MOST_BYTES).decode("utf-8"))
-    except SizeError:
-        raise UsageError(f"{name} has more than {_MOST_BYTES >> 20} MiB; a baseline is smaller") from None
-    except OSError as error:
-        raise UsageError(f"cannot read {name}: {error.strerror}") from None
+        with regular_file.reading(name, _MOST_BYTES, "a baseline"):
+            return baseline(name, regular_file.content(name, _MOST_BYTES).decode("utf-8"))
     except UnicodeDecodeError:
         raise UsageError(f"{name} is not UTF-8") from None
     except BaselineError as error:
@@ -90,16 +85,12 @@ def _notes(folder: Path) -> tuple[list[tuple[Path, UnitNote]], list[Diagnostic]]
     findings: list[Diagnostic] = []
     for path in paths:
         name = path / FILE
-        try:
-            data = regular_file.content(name, _MOST_BYTES)
-        except FileNotFoundError:
-            raise UsageError(
-                f"{path} has no {FILE}; write one with model, firmware and serial_number: redacted"
-            ) from None
-        except SizeError:
-            raise UsageError(f"{name} has more than {_MOST_BYTES >> 20} MiB; a note is smaller") from None
-        except OSError as error:
-            raise UsageError(f"cannot read {name}: {error.strerror}") from None
+        with regular_file.reading(name, _MOST_BYTES, "a note"):
+            try:
+                data = regular_file.content(name, _MOST_BYTES)
+            except FileNotFoundError:
+                text = f"{path} has no {FILE}; write one with model, firmware and serial_number: redacted"
+                raise UsageError(text) from None
         note, wrong = unit_note(path.name, f"{path.name}/{FILE}", data)
         findings += wrong
         if note is not None:
@@ -118,11 +109,8 @@ def _unit_evidence(path: Path, note: UnitNote, layout: DeviceLayout, observables
         raise UsageError(f"{path} has no dump, scan or capture")
     for number, file_path in enumerate(files):
         source = file_path.relative_to(path).as_posix()
-        try:
-            with open(file_path, "rb") as file:
-                head = file.read(_HEAD)
-        except OSError as error:
-            raise UsageError(f"cannot read {file_path}: {error.strerror}") from None
+        with regular_file.reading(file_path), open(file_path, "rb") as file:
+            head = file.read(_HEAD)
         if is_dump(head):
             _add_dump(unit, observables, file_path, source, number << _FILES)
         else:
@@ -194,7 +182,7 @@ def _add_capture(unit: UnitEvidence, observables: Observables, path: Path, sourc
     decoder = DeviceDecoder(observables.layout, Choices(units=units))
     values = CaptureValues(unit, observables, decoder, source, moment)
     try:
-        with open(path, "rb") as file:
+        with regular_file.reading(path), open(path, "rb") as file:
             conversion = Conversion(file, decoder, ())
             for batches in conversion.batches():
                 for batch in batches:
@@ -203,8 +191,6 @@ def _add_capture(unit: UnitEvidence, observables: Observables, path: Path, sourc
                 print_error(f"{path}: {remark}: {count}")
     except CaptureError as error:
         raise UsageError(f"{path} could not be read: {error}") from None
-    except OSError as error:
-        raise UsageError(f"cannot read {path}: {error.strerror}") from None
     values.finish()
     if not values.frames:
         raise UsageError(f"{path} has no frame of {observables.layout.device.id}")

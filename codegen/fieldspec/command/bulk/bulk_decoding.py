@@ -16,6 +16,7 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.command.console.streams import print_note
 from fieldspec.command.console.terminal import print_blocks
 from fieldspec.command.console.usage import UsageError
+from fieldspec.command.files.regular_file import reading
 from fieldspec.command.files.storage import exclusive_folder, replace
 from fieldspec.command.files.table_parts import TableParts
 from fieldspec.command.frames.frame_options import frame_options
@@ -189,7 +190,7 @@ class _Job:
 
         name, path = self.files[number]
         try:
-            with open(path, "rb") as file:
+            with reading(path), open(path, "rb") as file:
                 conversion = Conversion(file, self.device, self.ports, state)
                 for batches in conversion.batches():
                     for batch in batches:
@@ -205,8 +206,6 @@ class _Job:
                     self.sources[name] = "nothing in it is a frame of the device; the counts say what is left out"
         except CaptureError as error:
             self.sources[name] = str(error)
-        except OSError as error:
-            raise UsageError(f"cannot read {path}: {error.strerror}") from None
 
     def _journal(self) -> Any:
         """The journal of an earlier run, None without one. Raises UsageError for another task."""

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 
 from fieldspec.command import rules
 from fieldspec.command.editor.cursor import Cursor, cursor
-from fieldspec.command.editor.edits import Edit, holding_section, with_item, with_key
-from fieldspec.command.editor.entries import erratum_lines
+from fieldspec.command.editor.edits import Edit, erratum_lines, holding_section, with_item, with_key
 from fieldspec.command.editor.free_addresses import free_addresses
 from fieldspec.command.editor.projects import EditedProject
 from fieldspec.foundation.classes import dataclass

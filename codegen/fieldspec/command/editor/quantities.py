@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from fieldspec.codec.explain.values import in_unit
 from fieldspec.command.editor.cursor import Cursor
-from fieldspec.command.editor.entries import stated_fact
+from fieldspec.command.editor.edits import stated_fact
 from fieldspec.command.editor.index import meant
 from fieldspec.foundation.classes import replace
 from fieldspec.language.model.value import Value

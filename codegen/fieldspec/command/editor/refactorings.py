@@ -11,8 +11,17 @@ from fieldspec.codec.layout.device import DeviceLayout
 from fieldspec.codec.reference.frames import codec
 from fieldspec.codec.reference.records import CodecError
 from fieldspec.command.editor.cursor import Cursor
-from fieldspec.command.editor.edits import Edit, holding_section, source_text, with_item, with_key
-from fieldspec.command.editor.entries import erratum_lines, identifiers, new_name, stated_fact
+from fieldspec.command.editor.edits import (
+    Edit,
+    erratum_lines,
+    holding_section,
+    identifiers,
+    new_name,
+    source_text,
+    stated_fact,
+    with_item,
+    with_key,
+)
 from fieldspec.command.editor.fixes import Action
 from fieldspec.command.files import regular_file
 from fieldspec.command.rendering import explanation_text

@@ -46,14 +46,10 @@ def reading_options(arguments: argparse.Namespace) -> Options:
 
 def content(name: str) -> bytes:
     """The bytes of a file, or of standard input for `-`. Raises UsageError."""
-    try:
+    with regular_file.reading(name, MOST_BYTES, "a list of registers"):
         if name == "-":
             read = sys.stdin.buffer.read(MOST_BYTES + 1)
             if len(read) > MOST_BYTES:
                 raise SizeError
             return read
         return regular_file.content(name, MOST_BYTES)
-    except SizeError:
-        raise UsageError(f"{name} has more than {MOST_BYTES >> 20} MiB; a list of registers is smaller") from None
-    except OSError as error:
-        raise UsageError(f"cannot read {name}: {error.strerror}") from None

@@ -9,6 +9,10 @@ from __future__ import annotations
 import errno
 import os
 import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from fieldspec.command.console.usage import UsageError
 
 _READ = (
     os.O_RDONLY
@@ -61,6 +65,17 @@ def content(path: str | os.PathLike[str], limit: int, flags: int = 0) -> bytes:
     if not left:
         raise _too_large(path, limit, limit + 1)
     return b"".join(parts) if len(parts) != 1 else parts[0]
+
+
+@contextmanager
+def reading(name: object, limit: int = 0, kind: str = "") -> Iterator[None]:
+    """Raises UsageError where a file cannot be read. A `kind` says which files have at most `limit` bytes."""
+    try:
+        yield
+    except OSError as error:
+        if kind and isinstance(error, SizeError):
+            raise UsageError(f"{name} has more than {limit >> 20} MiB; {kind} is smaller") from None
+        raise UsageError(f"cannot read {name}: {error.strerror}") from None
 
 
 def regular(state: os.stat_result, path: str | os.PathLike[str], limit: int) -> int:

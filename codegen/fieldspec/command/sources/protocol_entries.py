@@ -111,10 +111,8 @@ def _word_spaces(messages: Iterable[Mapping], operation: str) -> list[str]:
 
 
 def _tree(path: Path) -> Mapping:
-    try:
+    with regular_file.reading(path):
         content = regular_file.content(path, LARGEST_FILE)
-    except OSError as error:
-        raise UsageError(f"cannot read {path}: {error.strerror}") from None
     tree = _protocol(path.name, content)
     if tree is None:
         raise UsageError(f"the protocol {path.stem} has findings; see them with: fieldspec check")

@@ -8,7 +8,7 @@ import re
 import fieldspec
 from fieldspec.command.console.usage import UsageError, unknown
 from fieldspec.command.files import cache_folder
-from fieldspec.command.files.regular_file import NO_LINK, IrregularError, SizeError, content
+from fieldspec.command.files.regular_file import NO_LINK, IrregularError, SizeError, content, reading
 from fieldspec.foundation.classes import TYPE_CHECKING
 from fieldspec.foundation.source import Refused
 from fieldspec.language.reading.findings import LARGEST_FILE, LARGEST_FOLDER, MAIN, MOST_FILES, PROTOCOLS, VERSIONS
@@ -216,10 +216,8 @@ def bundled_protocols() -> dict[str, str]:
 
 
 def _installed_file(path: str) -> bytes:
-    try:
+    with reading(path):
         file = InstalledFile(content(path, LARGEST_FILE))
-    except OSError as error:
-        raise UsageError(f"cannot read {path}: {error.strerror}") from None
     file.path = path.replace(os.sep, "/")
     return file
 

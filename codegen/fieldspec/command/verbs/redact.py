@@ -22,11 +22,11 @@ from fieldspec.foundation.classes import dataclass, field
 from fieldspec.language.model.encoding import is_array
 from fieldspec.language.reading.nodes import Mapping, Scalar
 from fieldspec.language.reading.yaml_reader import decoded, parsed
-from fieldspec.tools.evidence.notes import FILE, REDACTED
 from fieldspec.tools.evidence.observables import Observables
 from fieldspec.tools.evidence.redacted_files import RedactedCapture, redacted_dump, redacted_scan
 from fieldspec.tools.evidence.redaction import IDENTITY, Redaction
 from fieldspec.tools.evidence.secrets import Secrets
+from fieldspec.tools.evidence.unit_evidence import FILE, REDACTED
 from fieldspec.tools.lists.dump import dump, dump_sheet
 from fieldspec.tools.lists.list_file import content_sheet
 from fieldspec.tools.lists.sheet import ListError

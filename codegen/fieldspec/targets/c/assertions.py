@@ -10,7 +10,17 @@ from fieldspec.foundation.exhaustive import assert_never
 from fieldspec.language.model.encoding import Octets, Real, Text, Truth, Whole, real_bits
 from fieldspec.targets.c.expressions import Call, Expression, Identifier, Literal, SizeOf, Unary, all_of
 from fieldspec.targets.c.fields import members
-from fieldspec.targets.c.literals import FALSE, TRUE, byte_string, decimal, hexadecimal, integer, string, unsigned
+from fieldspec.targets.c.literals import (
+    FALSE,
+    TRUE,
+    byte_string,
+    decimal,
+    double,
+    hexadecimal,
+    integer,
+    string,
+    unsigned,
+)
 from fieldspec.targets.c.machine import of_bits, to_bits
 from fieldspec.targets.c.naming import Naming
 from fieldspec.targets.c.sample_values import RecordForm, form_of_values
@@ -33,6 +43,20 @@ def expect_equal(description: str, left: Expression, right: Expression) -> Expec
 def expect_bytes(description: str, memory: Expression, data: bytes) -> Evaluation:
     """`expect(same_bytes(memory, "\\001\\002", 2u), "what is tested");`"""
     return expect(Call("same_bytes", (memory, byte_string(data), unsigned(len(data)))), description)
+
+
+def expect_quantity(
+    quantity: Expression, expected: float, description: str, least_tolerance: float = 0.0
+) -> list[Statement]:
+    """`expect(quantity >= 0.999, "what is tested");` and the same for `<=`.
+
+    A quantity may differ by `least_tolerance`, or by a millionth of a millionth, where that is more.
+    """
+    tolerance = max(abs(expected) * 1e-12, least_tolerance)
+    return [
+        expect(quantity.at_least(double(expected - tolerance)), description),
+        expect(quantity.at_most(double(expected + tolerance)), description),
+    ]
 
 
 def same_array(memory: Identifier, expected: Identifier) -> Expression:

@@ -13,7 +13,7 @@ from fieldspec.language.model.device import Device
 from fieldspec.language.model.encoding import Digits, Octets, Real, Text, Truth, Whole, bounds_of
 from fieldspec.language.model.value import Value
 from fieldspec.targets.c.absent import AbsentValue, absent_values
-from fieldspec.targets.c.assertions import expect, expect_equal
+from fieldspec.targets.c.assertions import expect_equal, expect_quantity
 from fieldspec.targets.c.expressions import Call, Expression, Identifier, Type
 from fieldspec.targets.c.literals import FALSE, TRUE, ZERO, double, whole_double
 from fieldspec.targets.c.machine import literal
@@ -112,10 +112,8 @@ def _of_fixed(naming: Naming, absent: AbsentValue, numbers: list[int]) -> Iterat
                 yield assign(_QUANTITY, double(expected))
                 yield expect_equal(f"{description} back", writing, out_of_range)
             continue
-        tolerance = abs(expected) * 1e-12
         yield expect_equal(description, reading, ok)
-        yield expect(_QUANTITY.at_least(double(expected - tolerance)), description)
-        yield expect(_QUANTITY.at_most(double(expected + tolerance)), description)
+        yield from expect_quantity(_QUANTITY, expected, description)
         if goes_back:
             yield expect_equal(f"{description} back", writing, ok)
             yield expect_equal(f"{description} back", _RAW, literal(value.encoding, number))
@@ -142,10 +140,8 @@ def _of_value(naming: Naming, scaled: ScaledValue, numbers: list[int]) -> Iterat
                 continue
             if abs(expected) > _GREATEST:
                 continue
-            tolerance = abs(expected) * 1e-12
             yield expect_equal(description, reading, ok)
-            yield expect(_QUANTITY.at_least(double(expected - tolerance)), description)
-            yield expect(_QUANTITY.at_most(double(expected + tolerance)), description)
+            yield from expect_quantity(_QUANTITY, expected, description)
             if exact:
                 arguments = (_QUANTITY, literal(exponent.value.encoding, power), _RAW.address())
                 yield expect_equal(f"{description} back", Call(to_raw, arguments), ok)

@@ -13,7 +13,7 @@ from fieldspec.language.model.encoding import bounds_of, is_count
 from fieldspec.language.model.enums import Enum, Flags
 from fieldspec.language.model.registers import ParameterSet
 from fieldspec.language.model.value import Conversion, Value
-from fieldspec.targets.c.assertions import expect, expect_bytes, expect_equal
+from fieldspec.targets.c.assertions import expect, expect_bytes, expect_equal, expect_quantity
 from fieldspec.targets.c.conversions import count_bounds, count_type
 from fieldspec.targets.c.enums import available_members, code_tables, enum_type
 from fieldspec.targets.c.expressions import Call, Expression, Identifier, Type, Unary, all_of
@@ -304,12 +304,8 @@ def _test_conversion(device: Device, naming: Naming, conversion: Conversion) -> 
     for number in sorted(count for count in counts if low <= count <= high):
         count, description = literal(encoding, number), f"{conversion.name} {number}"
         expected = float(conversion.quantity(number, Fraction(_REFERENCE)))
-        tolerance = max(abs(expected) * 1e-12, 1e-12)
         quantity = Call(from_raw, (count, reference))
-        body += [
-            expect(quantity.at_least(double(expected - tolerance)), description),
-            expect(quantity.at_most(double(expected + tolerance)), description),
-        ]
+        body += expect_quantity(quantity, expected, description, least_tolerance=1e-12)
         if keeps_counts(encoding):
             body += [
                 expect_equal(f"{description} back", Call(to_raw, (quantity, reference, raw)), ok),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fieldspec.codec.layout.device import DeviceLayout
-from fieldspec.codec.layout.frame import FrameLayout, LinkLayout
+from fieldspec.codec.layout.frame import LinkLayout
 from fieldspec.codec.layout.part import PartLayout
 from fieldspec.codec.layout.repeated_parts import repeated_parts
 from fieldspec.codec.layout.subcodes import Subcode
@@ -87,7 +87,7 @@ def _shape(filters: Filters, layout: DeviceLayout, link: LinkLayout, direction: 
         "trailer": frame.trailer_size,
         "shortest": marks + width * (parts_size + min((record.least for record in bodies), default=0)),
         "longest": marks + width * (parts_size + largest),
-        "is_framed": bool(frame.end) or _tells_length(frame),
+        "is_framed": bool(frame.end) or frame.role("length") is not None or frame.role("code") is not None,
     }
 
 
@@ -105,10 +105,6 @@ def _subcode(code: int, subcode: Subcode) -> dict[str, Data]:
     ]
     place: dict[str, Data] = {"offset": subcode.offset, "size": subcode.size, "order": subcode.order}
     return {"code": code_data(code), **place, "messages": messages}
-
-
-def _tells_length(frame: FrameLayout) -> bool:
-    return frame.role("length") is not None or frame.role("code") is not None
 
 
 def _part(

@@ -11,7 +11,6 @@ from fieldspec.tools.audit.accounting import CORRECTED, COVERED, LEFT_OUT, LINE,
 from fieldspec.tools.audit.citations import CitationResults, citation_results
 from fieldspec.tools.audit.line_facts import line_citations
 from fieldspec.tools.audit.manual_lines import AlignedManual, aligned, unmoved
-from fieldspec.tools.audit.pattern import PieceValue
 from fieldspec.tools.audit.plan import Pattern, Plan, plan_of
 from fieldspec.tools.audit.section import Cell, Figure, Section, SectionTable, Subject
 
@@ -220,7 +219,7 @@ def _open(accounts: Accounts, manual: AlignedManual) -> Iterator[Diagnostic]:
             text = f"{place_text} has numbers, and {reason}"
             yield Diagnostic("manual_accounted", text, manual.index.span(candidate.line), help=_CURE)
             continue
-        values_text = ", ".join(_value_text(value) for value in candidate.missing) or f"`{printed}`"
+        values_text = ", ".join(f"`{value.column}` {value.text}" for value in candidate.missing) or f"`{printed}`"
         text = f"{place_text} prints {values_text}, and no fact that cites it says so"
         label = Label(candidate.pattern.place["name"], "the pattern that finds it")
         yield Diagnostic("manual_accounted", text, manual.index.span(candidate.line), (label,), _CURE)
@@ -228,10 +227,6 @@ def _open(accounts: Accounts, manual: AlignedManual) -> Iterator[Diagnostic]:
 
 _UNCITED = "no fact cites it"
 _CURE = "transcribe it, correct it with an erratum, or state why it is left out"
-
-
-def _value_text(value: PieceValue) -> str:
-    return f"`{value.column}` {value.text}"
 
 
 def _uncited(claims: CitationResults) -> Iterator[Diagnostic]:

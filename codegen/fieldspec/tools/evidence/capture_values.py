@@ -8,8 +8,7 @@ from fieldspec.tools.audit.register_dump import DumpReport, DumpValue
 from fieldspec.tools.captures.decoding import Batch, DeviceDecoder
 from fieldspec.tools.captures.verdicts import OK, UNLISTED, VERDICTS
 from fieldspec.tools.evidence.observables import READ, WRITE, Observable, Observables, bare
-from fieldspec.tools.evidence.series import SeriesValue
-from fieldspec.tools.evidence.unit_evidence import UnitEvidence
+from fieldspec.tools.evidence.unit_evidence import SeriesValue, UnitEvidence
 
 _TROUBLES = ("wrong_const", "unknown_value", "out_of_range", "unlisted_member", "unlisted_bits")
 

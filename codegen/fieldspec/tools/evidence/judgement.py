@@ -9,8 +9,7 @@ from fieldspec.codec.explain.occupants import forbidden_text
 from fieldspec.foundation.classes import dataclass
 from fieldspec.language.model.fact import Fact
 from fieldspec.tools.evidence.observables import READ, WRITE, Observable, Observables
-from fieldspec.tools.evidence.series import Series
-from fieldspec.tools.evidence.unit_evidence import UnitEvidence
+from fieldspec.tools.evidence.unit_evidence import Series, UnitEvidence
 
 NEVER, NOTHING, CONSISTENT, OBSERVED, CONTRADICTED = (
     "never seen",

@@ -170,7 +170,7 @@ def _holds(world: World) -> Routine:
     address, words = Variable("uiAddress", UINT), Variable("iCount", INT)
     register, size = Variable("uiRegister", UINT), Variable("uiSize", UINT)
     name = world.routine("holds")
-    end = _sum(register, size)
+    end = register.converted(UDINT).combined("+", size.converted(UDINT))
     is_within = every(
         [
             register.compared(">=", address),
@@ -193,10 +193,6 @@ def _holds(world: World) -> Routine:
         ),
         ("Whether all words of a register are among some words.",),
     )
-
-
-def _sum(left: Expression, right: Expression) -> Expression:
-    return left.converted(UDINT).combined("+", right.converted(UDINT))
 
 
 def _about(world: World, group: RegisterGroup, registers: list[RegisterLayout], function: str) -> str:

@@ -42,33 +42,23 @@ def _holder(draft: Draft, data: RecordLayout, unit: str, remark: str) -> Holder:
     return Words(array, number(0), draft.world.layout.device.byte_order)
 
 
-def _about(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> str:
+def _draft(world: World, message: MessageLayout, data: RecordLayout, unit: str, verb: str, title: str) -> Draft:
     size = f"{data.size} bytes" if unit == "bytes" else f"{(data.size or 0) // 2} words"
-    title = message.message.title or message.name.replace("_", " ")
-    return f"{title}, {size}. {order_remark(world.layout, unit)} {world.comment(message.message, None)}".strip()
+    name = message.message.title or message.name.replace("_", " ")
+    about = f"{name}, {size}. {order_remark(world.layout, unit)} {world.comment(message.message, None)}".strip()
+    return Draft(world, world.routine(verb, data.name, unit), f"telegram {message.name}", f"{title}: {about}")
 
 
 def _packed(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
-    draft = Draft(
-        world,
-        world.routine("pack", data.name, unit),
-        f"telegram {message.name}",
-        f"Struct to process data: {_about(world, message, data, unit)}",
-    )
-    kind = world.struct(data.name)
-    struct = draft.declare("stData", kind, "in_out", "is read only")
+    draft = _draft(world, message, data, unit, "pack", "Struct to process data")
+    struct = draft.declare("stData", world.struct(data.name), "in_out", "is read only")
     holder = _holder(draft, data, unit, "receives the process data")
     draft.add(write_fields(draft, data, holder, members_of(world, data, struct)))
     return draft.finished()
 
 
 def _unpacked(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
-    draft = Draft(
-        world,
-        world.routine("unpack", data.name, unit),
-        f"telegram {message.name}",
-        f"Process data to struct: {_about(world, message, data, unit)}",
-    )
+    draft = _draft(world, message, data, unit, "unpack", "Process data to struct")
     holder = _holder(draft, data, unit, "is read only")
     struct = draft.declare("stData", world.struct(data.name), "in_out", "receives the values")
     draft.add(read_fields(draft, data, holder, members_of(world, data, struct)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from fieldspec.codec.layout.bits import packed_size
 from fieldspec.codec.layout.device import DeviceLayout
@@ -14,6 +14,7 @@ from fieldspec.language.model.address_space import BIT as BIT_UNIT
 from fieldspec.language.model.checksums import checksum_named
 from fieldspec.language.model.encoding import Digits, Encoding, Octets, Precision, Real, Text, Truth, Whole
 from fieldspec.language.model.fact import Fact
+from fieldspec.language.model.record import Message, RegisterAccess
 from fieldspec.language.model.registers import RegisterGroup
 from fieldspec.language.model.value import Value
 from fieldspec.targets.controllers.cache import cached
@@ -218,14 +219,14 @@ class World:
     def bits(self) -> ArrayType:
         """The bytes of the longest list of bits that a message carries; where none does, of the longest group."""
         device = self.layout.device
-        lists = list(_bit_lists(self.layout))
+        lists = [count for count, _ in _lists(self.layout, device.bit_access)]
         groups = [group for group in device.groups if device.space(group.space).unit == BIT_UNIT] if not lists else []
         return sequence(max([*lists, *(packed_size(_span(group)) for group in groups)], default=1), USINT)
 
     @property
     def words(self) -> ArrayType:
         """The words of the longest list of registers that a message carries; where none does, of the longest group."""
-        lists = [size // 2 for size in _register_lists(self.layout)]
+        lists = [count * size // 2 for count, size in _lists(self.layout, self.layout.device.word_access)]
         tables = [table.words for table in self.layout.tables.values()]
         return sequence(max([*lists, *tables, *([] if lists else [_longest_group(self.layout)])], default=1), WORD)
 
@@ -284,22 +285,14 @@ def _frame_sizes(layout: DeviceLayout) -> Iterator[int]:
                 yield (part_size + max(bodies, default=0)) * width + marks
 
 
-def _register_lists(layout: DeviceLayout) -> Iterator[int]:
+def _lists(layout: DeviceLayout, access_of: Callable[[Message], RegisterAccess | None]) -> Iterator[tuple[int, int]]:
+    """The most elements of each list of registers or bits that a message carries, and the bytes of one."""
     for message in layout.messages.values():
-        access = layout.device.word_access(message.message)
+        access = access_of(message.message)
         for data in message.bodies:
             field = data.named(access.values) if access is not None else None
             if field is not None and field.field.repeat is not None:
-                yield field.field.repeat.high * field.size
-
-
-def _bit_lists(layout: DeviceLayout) -> Iterator[int]:
-    for message in layout.messages.values():
-        access = layout.device.bit_access(message.message)
-        for data in message.bodies:
-            field = data.named(access.values) if access is not None else None
-            if field is not None and field.field.repeat is not None:
-                yield field.field.repeat.high
+                yield field.field.repeat.high, field.size
 
 
 def values_of(layout: DeviceLayout) -> Iterator[Value]:
