@@ -45,8 +45,8 @@ def _holder(draft: Draft, data: RecordLayout, unit: str, remark: str) -> Holder:
 def _draft(world: World, message: MessageLayout, data: RecordLayout, unit: str, verb: str, title: str) -> Draft:
     size = f"{data.size} bytes" if unit == "bytes" else f"{(data.size or 0) // 2} words"
     name = message.message.title or message.name.replace("_", " ")
-    about = f"{name}, {size}. {order_remark(world.layout, unit)} {world.comment(message.message, None)}".strip()
-    return Draft(world, world.routine(verb, data.name, unit), f"telegram {message.name}", f"{title}: {about}")
+    remark = f"{name}, {size}. {order_remark(world.layout, unit)} {world.comment(message.message, None)}".strip()
+    return Draft(world, world.routine(verb, data.name, unit), f"telegram {message.name}", f"{title}: {remark}")
 
 
 def _packed(world: World, message: MessageLayout, data: RecordLayout, unit: str) -> Routine:
