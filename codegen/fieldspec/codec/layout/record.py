@@ -105,11 +105,6 @@ class FieldLayout:
         return self.field.count is not None or self.field.repeat is not None
 
     @property
-    def may_be_empty(self) -> bool:
-        """Whether one of its cases has no data, so that users may leave the field out."""
-        return not self.is_list and any(not case.value.size for case in self.cases)
-
-    @property
     def varies(self) -> bool:
         """Whether its bytes differ from data to data."""
         size = self.record.size if self.record is not None else self.size

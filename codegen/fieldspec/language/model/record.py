@@ -162,6 +162,11 @@ class Field(Fact):
         return self.measures or self.bit_measure
 
     @property
+    def may_be_empty(self) -> bool:
+        """Whether one of its cases has no data, so that users may leave the field out."""
+        return not self.is_list and self.choice is not None and any(not case.value.size for case in self.choice.cases)
+
+    @property
     def is_optional(self) -> bool:
         """Whether it has one element or none, as another field says."""
         return self.presence is not None and self.repeat is not None and self.repeat.high == 1

@@ -98,7 +98,7 @@ def _property(member: Member, names: Names) -> Iterator[str]:
         facts.append(f"After an element, another one follows if {continuation.condition}.")
     facts += [f"Contains {field.field.bit_measure.text}."] if field.field.bit_measure is not None else []
     yield from comment(described(Name.of(field.name).title(), field.field, *facts), 2)
-    yield f"  readonly {member.key}{'?' * field.may_be_empty}: {kind};"
+    yield f"  readonly {member.key}{'?' * field.field.may_be_empty}: {kind};"
 
 
 def _facts(value: Value) -> str:

@@ -55,7 +55,7 @@ def _left_out(view: ScaledView) -> str:
 
 def _raw(field: Slots, default: str = "") -> str:
     """`kind: Kinds`; an argument that may be left out has no bytes then."""
-    default = ' = b""' if field.field.may_be_empty else default
+    default = ' = b""' if field.field.field.may_be_empty else default
     return f"{field.name}: {field.accepted}{default}"
 
 
