@@ -66,13 +66,13 @@ def wrong_presence(name: str, raw: int, other_name: str, elements: int, offset: 
     return CodecError("wrong_measure", f"{name} is {raw}, but there are {elements} of {other_name}", offset)
 
 
-def wrong_end(other_name: str, numbers: list[int], mask: int, following: tuple[int, ...] | range) -> CodecError | None:
+def wrong_end(name: str, numbers: list[int], mask: int, following: tuple[int, ...] | range) -> CodecError | None:
     """An element that does not say that another one of a list follows, though one does, or the other way round."""
     last = len(numbers) - 1
     for index, raw in enumerate(numbers):
         if (raw & mask in following) != (index < last):
             count = "another one follows" if index < last else "no other one follows"
-            return CodecError("wrong_measure", f"element {index} of {other_name} says {raw}, but {count}")
+            return CodecError("wrong_measure", f"element {index} of {name} says {raw}, but {count}")
     return None
 
 

@@ -228,14 +228,14 @@ class EscapeFramer(Framer):
         offset = 0
         while offset < len(buffer):
             if start and not buffer.startswith(start, offset):
-                first = buffer.find(start, offset)
-                if first < 0:
-                    first = max(offset, len(buffer) - len(start) + 1)
-                    self.dropped += first - offset
-                    offset = first
+                next_start = buffer.find(start, offset)
+                if next_start < 0:
+                    next_start = max(offset, len(buffer) - len(start) + 1)
+                    self.dropped += next_start - offset
+                    offset = next_start
                     break
-                self.dropped += first - offset
-                offset = first
+                self.dropped += next_start - offset
+                offset = next_start
             close = self.escaped_frames.escape.end(buffer, offset + len(start), end)
             if close < 0:
                 if len(buffer) - offset <= self.most:

@@ -95,13 +95,8 @@ class Segments:
         self.piece, self.data, self.length, self.first, self.fields = piece, data, length, first, dict(fields or {})
         self.by, self.numbers, self.unsized, self.size = number_name, numbers, unsized, size
         self.order: Literal["big", "little"] = order
-        self.asked, self.answered, self.unused, self.last, self.whole = (
-            request_place,
-            response_place,
-            unused,
-            last,
-            whole,
-        )
+        self.asked, self.answered = request_place, response_place
+        self.unused, self.last, self.whole = unused, last, whole
         self.abort, self.reasons = abort, dict(reasons or {})
 
     def follows(self, response: Any) -> bool:

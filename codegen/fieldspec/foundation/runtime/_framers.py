@@ -106,18 +106,18 @@ class Framer:
                 offset += extent
                 continue
             match = self._search(buffer, offset + 1)
-            first = max(offset, size - self._width) + 1 if match is None else match.start()
-            self._drop(buffer, offset, first)
-            offset = first
+            next_start = max(offset, size - self._width) + 1 if match is None else match.start()
+            self._drop(buffer, offset, next_start)
+            offset = next_start
         del buffer[:offset]
         return frames
 
-    def _drop(self, buffer: bytearray, offset: int, first: int) -> None:
+    def _drop(self, buffer: bytearray, offset: int, next_start: int) -> None:
         """Counts bytes that belong to no frame, without the last ones that may belong to a preamble."""
-        self.dropped += first - offset
+        self.dropped += next_start - offset
         if self.frames.preamble is not None:
             byte, _, _, spare = self.frames.preamble
-            before, data = self._lead, bytes(buffer[offset:first])
+            before, data = self._lead, bytes(buffer[offset:next_start])
             run = len(data) - len(data.rstrip(bytes((byte,))))
             self._lead = min(run + (before if run == len(data) else 0), spare)
             self.dropped += before - self._lead
@@ -306,7 +306,7 @@ class CodeFramer(Framer):
         return known
 
     def _extent(self, buffer: bytearray, offset: int) -> int:
-        first = offset
+        frame_start = offset
         if self._marked:
             if not buffer.startswith(self.frames.start, offset):
                 return 0
@@ -321,7 +321,7 @@ class CodeFramer(Framer):
             subcode_offset, size, order, extents = self.subcodes[code]
             place = offset + subcode_offset
             if place + size > len(buffer):
-                return 0 if self._foreign(buffer, offset) else place + size - first
+                return 0 if self._foreign(buffer, offset) else place + size - frame_start
             extent = extents.get(self._number(buffer, place, size, order == "little"))
         if extent is None or self._foreign(buffer, offset):
             return 0
@@ -329,13 +329,13 @@ class CodeFramer(Framer):
         if size == 0:
             return length
         if size == -2:
-            end = buffer.find(self.frames.end, first + length - len(self.frames.end))
-            return end - first + len(self.frames.end) if end >= 0 else -1
+            end = buffer.find(self.frames.end, frame_start + length - len(self.frames.end))
+            return end - frame_start + len(self.frames.end) if end >= 0 else -1
         if size < 0:
             return -1
         place = offset + extent[1]
         if place + size > len(buffer):
-            return place + size - first
+            return place + size - frame_start
         length += (buffer[place] if size == 1 else self._measure(buffer, place, extent)) * extent[3]
         return length if self.shortest <= length <= self.longest else 0
 

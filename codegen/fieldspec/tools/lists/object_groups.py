@@ -173,14 +173,16 @@ def _has_inner_address(value: Any) -> bool:
 def _registers_of(item: dict[str, Any]) -> list[dict[str, Any]]:
     """An object, and one for each further register that a key names: thermostats have several.
 
-    The target of a measured value has its facts; each of the others is a number of its own. A program writes them.
+    The target of a measured value has its facts; each of the others is a number of its own. They are writable.
     """
     further = {key: meaning("further_registers", key) for key in item if meaning("further_registers", key)}
     parts = {key: inner if isinstance(inner := item[key], dict) else {"address": inner} for key in further}
     parts = {key: part for key, part in parts.items() if whole(str(part.get("address"))) is not None}
-    own = {key: value for key, value in item.items() if key not in parts}
-    shared = {key: value for key, value in own.items() if meaning("headings", key) not in ("address", "space")}
-    result = [own]
+    main_register = {key: value for key, value in item.items() if key not in parts}
+    shared = {
+        key: value for key, value in main_register.items() if meaning("headings", key) not in ("address", "space")
+    }
+    result = [main_register]
     for key, part in parts.items():
         facts = shared if further[key] == "target" else {}
         states = part.get("values")

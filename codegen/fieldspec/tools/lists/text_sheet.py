@@ -1,4 +1,4 @@
-"""Reads lists from text: CSV tables with bars, numbered lines, pages in HTML, JSON and YAML."""
+"""Reads lists from text: CSV, tables with bars, numbered lines, pages in HTML, JSON and YAML."""
 
 from __future__ import annotations
 
